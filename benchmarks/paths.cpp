@@ -118,7 +118,9 @@ void addFootPath(const Scene& scene, std::vector<MeasuredPath>& paths) {
     paths.push_back({"energy_derivatives", "sample", samples, [&scene, energy] {
                          Eigen::VectorXd gradient;
                          std::vector<SpanBlocks> hessian;
-                         energy->differentiate(scene.firstFooted, kAlpha, 1.0, gradient, hessian);
+                         energy->differentiate(
+                             scene.firstFooted, {.alpha = kAlpha}, 1.0, gradient, hessian
+                         );
                      }});
 }
 

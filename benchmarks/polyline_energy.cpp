@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "benchmarks/polyline_energy.h"
 
-#include "solver/sampled_integrals.h"
+#include "solver/energy_terms.h"
 #include "solver/sampled_solver.h"
 #include "utility/worker_thread.h"
 
@@ -181,8 +181,9 @@ void PolylineEnergy::differentiate(
     }
     for (int i = 0; i < count(); ++i) {
         const double stiffness = 2.0 * alpha * vertices_[i].weight / (heightUnit_ * heightUnit_);
-        const PointDerivatives point =
-            heightDerivatives(line.feet[i], line.frames[i], stiffness, turning);
+        PointDerivatives point;
+        const FootSample sample{line.feet[i], line.frames[i], turning};
+        FootHeight(sample).addDerivatives(stiffness * line.feet[i].height, stiffness, point);
         gradient.segment<3>(3 * Eigen::Index{i}) += point.force;
         hessian[i][0] += point.second;
     }

@@ -50,6 +50,8 @@ std::optional<double> timeWarm(
     std::vector<double> times;
     const std::vector<int> corners = arguments.corners.of(picks.size());
     const std::vector<Vec3> tangents = arguments.tangents.of(picks.size());
+    const std::vector<MeshLength> tolerances = arguments.pickTolerances.within(picks.size());
+    const std::vector<double> weights = arguments.pickTolerances.weights(picks.size());
     for (int i = 0; i < arguments.repeat; ++i) {
         bar.show(static_cast<double>(i) / arguments.repeat, "repeat");
         Stopwatch watch;
@@ -57,7 +59,12 @@ std::optional<double> timeWarm(
             picks,
             arguments.solver,
             arguments.sampling,
-            {.field = drawn.field, .avoid = drawn.avoid, .corners = corners, .tangents = tangents},
+            {.field = drawn.field,
+             .avoid = drawn.avoid,
+             .pickTolerances = tolerances,
+             .pickWeights = weights,
+             .corners = corners,
+             .tangents = tangents},
             [](double, const char*) { return !interrupted(); }
         ));
         times.push_back(watch.lap());

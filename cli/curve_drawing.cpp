@@ -5,12 +5,7 @@
 #include "bspline_curve/files.h"
 #include "cli/value_checks.h"
 #include "surface/error_messages.h"
-#include "surface/triangle_tree.h"
-#include "workpiece/workpiece_parts.h"
 
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -29,29 +24,6 @@ void checkIsFile(std::string_view option, const std::filesystem::path& word) {
         flagOf(option) + " " + word.string() + ": there is no such file, and it is none of " +
             joined(words) + didYouMean(word.string(), words)
     );
-}
-
-/// Picks on the surface, nearest to where they are given. Throws InputError (PickTooFar).
-std::vector<Vec3> movedOnto(
-    const Surface& surface, const std::vector<Vec3>& picks, double distance
-) {
-    const TriangleTree tree(surface.vertices(), surface.faces());
-    std::vector<Vec3> moved;
-    for (std::size_t i = 0; i < picks.size(); ++i) {
-        const auto nearest = tree.closestPoint(picks[i]);
-        const double away = std::sqrt(nearest.squaredDistance);
-        if (!(away <= distance)) {
-            throw InputError(
-                InputErrorCode::PickTooFar,
-                describePicks({static_cast<std::int64_t>(i)}) + " lies " + describeNumber(away) +
-                    " from the mesh, more than --pick-distance allows (" +
-                    describeNumber(distance) + ")",
-                {static_cast<std::int64_t>(i)}
-            );
-        }
-        moved.push_back(nearest.position);
-    }
-    return moved;
 }
 
 }  // namespace
@@ -82,6 +54,10 @@ std::vector<Vec3> picksFrom(const std::filesystem::path& file, DrawingArguments&
     if (arguments.tangents.entries.empty()) {
         arguments.tangents = std::move(picks.tangents);
     }
+    if (arguments.pickTolerances.entries.empty() &&
+        arguments.solver.pickTolerance == MeshLength()) {
+        arguments.pickTolerances = std::move(picks.tolerances);
+    }
     return std::move(picks.picks);
 }
 
@@ -91,11 +67,7 @@ DesignedCurve drawThrough(
     const LoadedMesh& loaded,
     const Progress& progress
 ) {
-    const std::vector<Vec3> moved =
-        arguments.pickDistance > 0.0
-            ? movedOnto(surfaceOf(*loaded.workpiece), picks, arguments.pickDistance)
-            : picks;
-    DesignedCurve drawn = loaded.workpiece->draw(moved, arguments, loaded.layer, progress);
+    DesignedCurve drawn = loaded.workpiece->draw(picks, arguments, loaded.layer, progress);
     if (arguments.field && arguments.field->automatic && !drawn.field.empty()) {
         drawn.notes.insert(
             drawn.notes.begin(),

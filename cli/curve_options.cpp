@@ -16,7 +16,6 @@ void addFiles(CLI::App& app, CurveArguments& arguments) {
     const std::string picks = "Points to pass through, in order: " + std::string(kPicksExtensions) +
                               "; -: standard input, as .json";
     orStandardStream(addFile(app, "--picks", arguments.picks, picks), ".json")->required();
-    addPickDistance(app, arguments.pickDistance);
     addOutput(
         app,
         arguments.output,

@@ -146,6 +146,10 @@ CLI::Option* DescribedOptions::add(
             option = addText(parameter, flags, extras, parsed(parseLength), "LENGTH")
                          ->default_str(values_.get<std::string>(parameter.id));
             break;
+        case ParameterType::Tolerances:
+            option = addText(parameter, flags, extras, parsed(parsePickTolerances), "LENGTH,...")
+                         ->default_str(values_.get<std::string>(parameter.id));
+            break;
         case ParameterType::Picks:
             option = addText(parameter, flags, extras, parsed(parsePickChoice), "PICKS");
             break;

@@ -17,7 +17,6 @@ struct DrawingArguments : CurveOptions, PreparingOptions {
     std::filesystem::path mesh;
     /// Values of the field, faces of its region and faces to avoid; empty: not from files.
     std::filesystem::path values, region, avoided;
-    double pickDistance = 0.0;  ///< of picks from the mesh, at most; 0: kPickReachRelative
     bool noCache = false;
 };
 

@@ -207,8 +207,7 @@ std::vector<Curve> edited(
 ExitCode editAndWrite(const EditArguments& arguments, ProgressBar& bar) {
     checkOutput(arguments.output, checkCurveExtension);
     constexpr double kReadShare = 0.5;
-    const CurvesOnMesh read =
-        curvesOnMesh(arguments, arguments.use.placing.distance, bar, kReadShare);
+    const CurvesOnMesh read = curvesOnMesh(arguments, arguments.use.placing, bar, kReadShare);
     const Workpiece& workpiece = read.workpiece();
     const std::vector<Curve> curves =
         edited(arguments, workpiece, curvesOf(read), progressPart(bar, kReadShare, 1.0));

@@ -98,8 +98,7 @@ ExitCode drawBeside(const OffsetArguments& arguments, ProgressBar& bar) {
     checkOutput(arguments.report);
     constexpr double kReadShare = 0.3;
     const OffsetRequest& request = arguments.request;
-    const CurvesOnMesh read =
-        curvesOnMesh(arguments, request.use.placing.distance, bar, kReadShare);
+    const CurvesOnMesh read = curvesOnMesh(arguments, request.use.placing, bar, kReadShare);
     Stopwatch watch;
     const OffsetLines lines = linesBeside(
         read.workpiece(),

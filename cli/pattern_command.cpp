@@ -43,9 +43,10 @@ struct PatternParser {
     PatternParser() {
         addFiles();
         addPlace();
-        for (const char* const id : {"repeat", "spacing", "start", "shift"}) {
+        for (const char* const id : {"repeat", "spacing", "start", "shift", "max_distance"}) {
             options.add(id)->needs("--along");
         }
+        options.add("direction", {.otherType = "X,Y,Z", .help = kDirectionHelp})->needs("--along");
         auto* const size = options.add("size");
         options.add("scale")->excludes(size);
         for (const char* const id :
@@ -139,10 +140,14 @@ Vec3 toVec3(const std::vector<double>& values) {
     return {values[0], values[1], values[2]};
 }
 
-SurfacePolyline curveAlong(const Workpiece& workpiece, const std::filesystem::path& file) {
-    const Surface& surface = surfaceOf(workpiece);
-    return CurvesOnSurface(surface, workpiece.checksum(), kPickReachRelative * surface.diagonal())
-        .readOne(file, "project the curve onto it first");
+SurfacePolyline curveAlong(const Workpiece& workpiece, const PatternArguments& arguments) {
+    return CurvesOnSurface(
+               surfaceOf(workpiece),
+               workpiece.checksum(),
+               {.projection = arguments.request.use.placing.projection(),
+                .remedy = "a larger --max-distance"}
+    )
+        .readOne(arguments.along);
 }
 
 Pattern patternOn(
@@ -156,7 +161,7 @@ Pattern patternOn(
         return patternAlongCurve(
             workpiece,
             drawing,
-            curveAlong(workpiece, arguments.along),
+            curveAlong(workpiece, arguments),
             request.row,
             request.pattern,
             progress

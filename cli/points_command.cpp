@@ -101,7 +101,7 @@ std::vector<double> distancesOn(
 
 ExitCode placePoints(const PointsArguments& arguments, ProgressBar& bar) {
     checkOutput(arguments.output, checkPointsExtension);
-    const CurvesOnMesh read = curvesOnMesh(arguments, arguments.use.placing.distance, bar, 1.0);
+    const CurvesOnMesh read = curvesOnMesh(arguments, arguments.use.placing, bar, 1.0);
     const CurvePoints along(read.workpiece().mesh());
     std::vector<PointsOfCurve> curves;
     for (std::size_t i = 0; i < read.lines.size(); ++i) {

@@ -10,7 +10,6 @@
 #include "io/curves_on_surface.h"
 #include "io/text_parsing.h"
 #include "surface/error_messages.h"
-#include "surface/picks.h"
 #include "utility/stopwatch.h"
 #include "workpiece/curve_notes.h"
 #include "workpiece/workpiece_parts.h"
@@ -41,18 +40,16 @@ void take(
     taken.files.push_back(file);
 }
 
-void readLines(CurvesOnMesh& taken, const UseArguments& arguments, double maxDistance) {
+void readLines(CurvesOnMesh& taken, const UseArguments& arguments, const Placing& placing) {
     Stopwatch watch;
     const Workpiece& workpiece = taken.workpiece();
-    const Surface& surface = surfaceOf(workpiece);
     CurvesOnSurface curves(
-        surface,
+        surfaceOf(workpiece),
         workpiece.checksum(),
-        maxDistance > 0.0 ? maxDistance : kPickReachRelative * surface.diagonal(),
-        arguments.layers
+        {.projection = placing.projection(), .layers = arguments.layers, .remedy = kLargerDistance}
     );
     for (const std::filesystem::path& file : arguments.curves) {
-        CurvesOfFile read = curves.read(file, kLargerDistance);
+        CurvesOfFile read = curves.read(file);
         printNotes(read.notes);
         for (std::size_t i = 0; i < read.lines.size(); ++i) {
             take(taken, file, std::move(read.lines[i]), std::move(read.splines[i]));
@@ -63,14 +60,11 @@ void readLines(CurvesOnMesh& taken, const UseArguments& arguments, double maxDis
 }
 
 void drawLines(
-    CurvesOnMesh& taken, DrawingArguments arguments, const UseArguments& all, ProgressBar& bar
+    CurvesOnMesh& taken, const DrawingArguments& asked, const UseArguments& all, ProgressBar& bar
 ) {
     Stopwatch watch;
-    const bool isClosed = arguments.solver.closed;
-    const PickChoice corners = arguments.corners;
     for (const std::filesystem::path& file : all.picks) {
-        arguments.solver.closed = isClosed;
-        arguments.corners = corners;
+        DrawingArguments arguments = asked;  // what one file says is not of the next
         const std::vector<Vec3> picks = picksFrom(file, arguments);
         DesignedCurve drawn =
             drawThrough(picks, arguments, taken.loaded, progressPart(bar, 0.0, 1.0));
@@ -117,10 +111,10 @@ UseOptions::UseOptions(CLI::App& app, UseArguments& arguments, const FilterDescr
     described.add(
         "max_distance",
         {.help = "Refuse polylines that are farther than this from the mesh anywhere, in its "
-                 "unit; 0: 1 % of its diagonal"}
+                 "unit; 0: 1 % of its diagonal, along --direction any distance"}
     );
+    described.add("direction", {.otherType = "X,Y,Z", .help = kDirectionHelp});
     addLayers(app, arguments.layers);
-    addPickDistance(app, arguments.drawing.pickDistance);
     addCacheOption(app, arguments.drawing.noCache);
     drawing_.add("Options of curves, for --picks");
 }
@@ -136,7 +130,7 @@ void UseOptions::finish() {
 }
 
 CurvesOnMesh curvesOnMesh(
-    const UseArguments& arguments, double maxDistance, ProgressBar& bar, double share
+    const UseArguments& arguments, const Placing& placing, ProgressBar& bar, double share
 ) {
     bar.show(0.0, "reading");
     DrawingArguments drawing = arguments.drawing;
@@ -157,7 +151,7 @@ CurvesOnMesh curvesOnMesh(
     taken.surfaceSeconds = watch.lap();
     bar.clear();
     printNotes(loaded.notes());
-    readLines(taken, arguments, maxDistance);
+    readLines(taken, arguments, placing);
     throwIfInterrupted();
     drawLines(taken, std::move(drawing), arguments, bar);
     return taken;
@@ -219,7 +213,7 @@ ImprintedFile imprintedFile(
     const UseArguments& arguments, const ImprintRequest& request, ProgressBar& bar, double stroke
 ) {
     constexpr double kReadShare = 0.4;
-    CurvesOnMesh read = curvesOnMesh(arguments, request.use.placing.distance, bar, kReadShare);
+    CurvesOnMesh read = curvesOnMesh(arguments, request.use.placing, bar, kReadShare);
     const Workpiece& workpiece = *read.loaded.workpiece;
     const Progress step = progressPart(bar, kReadShare, kImprintedShare);
     ImprintedFile result{

@@ -32,7 +32,7 @@ public:
     /// All must outlive this.
     UseOptions(CLI::App& app, UseArguments& arguments, const FilterDescription& filter);
 
-    /// Of the filter; --max-distance is there.
+    /// Of the filter; --max-distance and --direction are there.
     DescribedOptions described;
 
     /// After parsing. Throws CLI::ParseError where neither curves nor picks are given, or options
@@ -56,10 +56,10 @@ struct CurvesOnMesh {
     [[nodiscard]] const Workpiece& workpiece() const { return *loaded.workpiece; }
 };
 
-/// Reads, projects and draws. Shows the bar up to `share`. Prints notes. `maxDistance`: of
-/// polylines; 0: kPickReachRelative. Throws InputError, Cancelled.
+/// Reads, projects and draws. Shows the bar up to `share`. Prints notes. Throws InputError,
+/// Cancelled.
 [[nodiscard]] CurvesOnMesh curvesOnMesh(
-    const UseArguments& arguments, double maxDistance, ProgressBar& bar, double share
+    const UseArguments& arguments, const Placing& placing, ProgressBar& bar, double share
 );
 
 /// Refuses all but .ply. Throws InputError (UnwritableFile).

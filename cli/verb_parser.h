@@ -118,18 +118,10 @@ inline void addLayers(CLI::App& app, std::vector<std::string>& layers) {
         ->expected(1);
 }
 
-/// --pick-distance.
-inline void addPickDistance(CLI::App& app, double& distance) {
-    app.add_option(
-           "--pick-distance",
-           distance,
-           "Refuse picks that are farther than this from the mesh, in its unit; 0: 1 % of its "
-           "diagonal"
-    )
-        ->check(atLeast(0.0).validator())
-        ->type_name("NUMBER")
-        ->capture_default_str();
-}
+/// Of --direction.
+inline constexpr const char* kDirectionHelp =
+    "Drape polylines: move each of their points along this direction to the first face that is "
+    "met there, coming from outside; else they go to the nearest points";
 
 /// --unit.
 inline void addUnit(CLI::App& app, LengthUnit& unit) {

@@ -154,6 +154,7 @@ Curve CurveDesigner::design(
         inputs.field,
         provenance.facesFromInput(avoid),
         inputs.pickTolerances,
+        inputs.pickWeights,
         inputs.corners,
         inputs.tangents,
         start,

@@ -11,6 +11,7 @@
 #include "design/warm_start.h"
 #include "shell/shell_boundary.h"
 #include "solver/cellwise_solver.h"
+#include "solver/paper/paper_variant.h"
 #include "utility/stopwatch.h"
 
 #include <algorithm>
@@ -111,6 +112,7 @@ CurveProblem makeProblem(
     problem.patches = &prepared.patches();
     problem.picks = std::move(picks);
     problem.options = options;
+    problem.variant = &paperVariant();
     problem.averageEdgeLength = surface.averageEdgeLength() / scale;
     problem.distanceTolerance = distanceToleranceOf(prepared, options);
     problem.chordLength = polygonLength(problem.picks, options.closed);

@@ -35,8 +35,8 @@ constexpr NearConstants kNear;
 
 class NearCurveMaker {
 public:
-    NearCurveMaker(const LocatedTask& task, std::span<const double> tolerances)
-        : task_(task), tolerances_(tolerances) {
+    NearCurveMaker(const LocatedTask& task, std::span<const PickLeeway> leeways)
+        : task_(task), leeways_(leeways) {
         for (const SurfacePoint& pick : task.picks) {
             positions_.push_back(task.prepared.surface().position(pick));
         }
@@ -86,11 +86,10 @@ public:
 private:
     // A path near all picks; nothing where there is none.
     [[nodiscard]] std::optional<PickPath> pathWithin(const CurveSolver& solver) const {
+        const double scale = task_.prepared.extended()->frame.scale;
         std::vector<PickLeeway> leeways;
-        for (const double tolerance : tolerances_) {
-            leeways.push_back(
-                {kNear.pathShare * tolerance / task_.prepared.extended()->frame.scale, 0.0}
-            );
+        for (const auto& [bound, weight] : leeways_) {
+            leeways.push_back({kNear.pathShare * bound / scale, weight * scale * scale});
         }
         for (int i = 0; i < kNear.mostPaths; ++i) {
             std::optional<PickPath> path = solver.pathNear(leeways);
@@ -106,10 +105,11 @@ private:
             for (std::size_t k = 0; k < task_.picks.size(); ++k) {
                 const Vec3 point = task_.prepared.surface().position(path->picks[k].point);
                 const double distance = (point - positions_[k]).norm();
-                if (leeways[k].bound > 0.0 && distance > kNear.mostPathShare * tolerances_[k]) {
+                if (leeways[k].bound > 0.0 && distance > kNear.mostPathShare * leeways_[k].bound) {
                     isWithin = false;
                     const bool isLast = i + 2 >= kNear.mostPaths;
-                    leeways[k].bound *= isLast ? 0.0 : kNear.pathShare * tolerances_[k] / distance;
+                    leeways[k].bound *=
+                        isLast ? 0.0 : kNear.pathShare * leeways_[k].bound / distance;
                 }
             }
             if (isWithin) {
@@ -137,7 +137,7 @@ private:
     [[nodiscard]] std::vector<int> missedBy(const Curve& curve) const {
         const std::vector<double> distances = distancesTo(curve.polyline, positions_);
         return indicesWhere<int>(distances.size(), [&](std::size_t i) {
-            return distances[i] > tolerances_[i];
+            return distances[i] > leeways_[i].bound;
         });
     }
 
@@ -179,16 +179,16 @@ private:
     }
 
     LocatedTask task_;
-    std::span<const double> tolerances_;
+    std::span<const PickLeeway> leeways_;
     std::vector<Vec3> positions_;  // of the picks, user's unit
 };
 
 }  // namespace
 
 std::optional<NearCurve> drawNear(
-    const LocatedTask& task, std::span<const double> tolerances, const Progress& progress
+    const LocatedTask& task, std::span<const PickLeeway> leeways, const Progress& progress
 ) {
-    return NearCurveMaker(task, tolerances).make(progress);
+    return NearCurveMaker(task, leeways).make(progress);
 }
 
 std::vector<double> distancesTo(const SurfacePolyline& line, std::span<const Vec3> points) {

@@ -5,6 +5,7 @@
 #include "bspline_curve/options.h"
 #include "bspline_curve/progress.h"
 #include "design/curve_solver.h"
+#include "design/near_picks.h"
 
 #include <optional>
 #include <span>
@@ -29,8 +30,9 @@ struct NearCurve {
     Solved solved;
 };
 
-/// A curve that is as fair as it can be no farther from each pick than its tolerance (user's unit,
-/// >= 0), measured from the pick's point on the surface to the polyline.
+/// A curve that is as fair as it can be and no farther from each pick than its bound, measured from
+/// the pick's point on the surface to the polyline, or as near to it as its weight asks for. The
+/// leeways are in the user's unit.
 ///
 /// A path is faired within the bounds (see fairedPath()), and the spline follows it: it passes
 /// the path's points at the ends alone, or the first pick of a closed curve, and at those others
@@ -40,7 +42,7 @@ struct NearCurve {
 ///
 /// Throws InputError (NoPath), Cancelled.
 [[nodiscard]] std::optional<NearCurve> drawNear(
-    const LocatedTask& task, std::span<const double> tolerances, const Progress& progress
+    const LocatedTask& task, std::span<const PickLeeway> leeways, const Progress& progress
 );
 
 /// Least distance of the polyline to each of some points, in its unit. O(n m).

@@ -144,32 +144,48 @@ void giveRepeatedPicks(const LocatedPicks& located, Curve& curve) {
 /// Of the progress, for a curve near the picks, before one through them.
 constexpr double kNearPicksShare = 0.6;
 
-/// Of each point, in the user's unit: the least of its picks.
-std::vector<double> pickTolerancesOf(
-    const Surface& surface, const CurveTask& task, const LocatedPicks& located
-) {
-    if (!task.pickTolerances.empty() && task.pickTolerances.size() != task.picks.size()) {
+void requireOneForEach(std::size_t count, const CurveTask& task, const char* what) {
+    if (count != 0 && count != task.picks.size()) {
         throw InputError(
             InputErrorCode::BadOption,
-            "there are " + std::to_string(task.pickTolerances.size()) + " pick tolerances for " +
+            "there are " + std::to_string(count) + " pick " + what + " for " +
                 describeCount(task.picks.size(), "pick", "picks") + ": give one for each"
         );
     }
-    std::vector<double> tolerances(located.points.size(), std::numeric_limits<double>::infinity());
+}
+
+void requireAmount(double amount, std::size_t pick, const char* what) {
+    if (!(amount >= 0.0) || !std::isfinite(amount)) {
+        throw InputError(
+            InputErrorCode::BadOption,
+            std::string("the ") + what + " of " + describePicks({static_cast<std::int64_t>(pick)}) +
+                " must be finite and not negative"
+        );
+    }
+}
+
+/// Of each point, in the user's unit: the least tolerance and the largest weight of its picks.
+std::vector<PickLeeway> leewaysOf(
+    const Surface& surface, const CurveTask& task, const LocatedPicks& located
+) {
+    requireOneForEach(task.pickTolerances.size(), task, "tolerances");
+    requireOneForEach(task.pickWeights.size(), task, "weights");
+    constexpr double kNoBound = std::numeric_limits<double>::infinity();
+    const double perLength = 1.0 / (surface.diagonal() * surface.diagonal());
+    std::vector<PickLeeway> leeways(located.points.size(), {kNoBound, 0.0});
     for (std::size_t i = 0; i < located.pointOf.size(); ++i) {
         const MeshLength& length =
             task.pickTolerances.empty() ? task.options.pickTolerance : task.pickTolerances[i];
-        if (!(length.value >= 0.0) || !std::isfinite(length.value)) {
-            throw InputError(
-                InputErrorCode::BadOption,
-                "the tolerance of " + describePicks({static_cast<std::int64_t>(i)}) +
-                    " must be finite and not negative"
-            );
+        const double weight = task.pickWeights.empty() ? 0.0 : task.pickWeights[i];
+        requireAmount(length.value, i, "tolerance");
+        requireAmount(weight, i, "weight");
+        PickLeeway& leeway = leeways[located.pointOf[i]];
+        leeway.weight = std::max(leeway.weight, weight * perLength);
+        if (weight == 0.0) {
+            leeway.bound = std::min(leeway.bound, length.in(surface.averageEdgeLength()));
         }
-        double& tolerance = tolerances[located.pointOf[i]];
-        tolerance = std::min(tolerance, length.in(surface.averageEdgeLength()));
     }
-    return tolerances;
+    return leeways;
 }
 
 /// Points at which corners are, ascending.
@@ -191,10 +207,15 @@ std::vector<int> cornersOf(const CurveTask& task, const LocatedPicks& located) {
     return corners;
 }
 
+/// Whether the curve need not pass all of them.
+bool isAnyApart(std::span<const PickLeeway> leeways) {
+    return std::ranges::any_of(leeways, [](const PickLeeway& l) { return l.bound > 0.0; });
+}
+
 /// What is asked of the points of a curve.
 struct PointDemands {
-    bool isNear = false;                     ///< some have a tolerance
-    std::vector<double> tolerances;          ///< of each, in the user's unit
+    bool isNear = false;                     ///< to some of them
+    std::vector<PickLeeway> leeways;         ///< of each, in the user's unit
     std::vector<std::vector<int>> sections;  ///< see pointsOfSections()
     std::vector<Vec3> tangents;              ///< see tangentsOf()
 };
@@ -203,8 +224,8 @@ PointDemands demandsOf(
     const PreparedSurface& prepared, const CurveTask& task, const LocatedPicks& located
 ) {
     PointDemands demands;
-    demands.tolerances = pickTolerancesOf(prepared.surface(), task, located);
-    demands.isNear = std::ranges::any_of(demands.tolerances, [](double t) { return t > 0.0; });
+    demands.leeways = leewaysOf(prepared.surface(), task, located);
+    demands.isNear = isAnyApart(demands.leeways);
     const std::vector<int> corners = cornersOf(task, located);
     demands.sections =
         pointsOfSections(static_cast<int>(located.points.size()), corners, task.options.closed);
@@ -212,7 +233,7 @@ PointDemands demandsOf(
         tangentsOf(*prepared.extended(), located, task.tangents, corners, task.options);
     for (std::size_t i = 0; i < demands.tangents.size(); ++i) {
         if (!demands.tangents[i].isZero(0.0)) {
-            demands.tolerances[i] = 0.0;
+            demands.leeways[i] = {};
         }
     }
     return demands;
@@ -235,13 +256,14 @@ NearCurve drawThrough(const LocatedTask& task, const Progress& progress) {
     return drawn;
 }
 
-/// Within the tolerances of the picks, user's unit; where there is no such curve, through them.
+/// As near to the picks as the leeways say, user's unit; where there is no such curve, through
+/// them.
 Curve drawSmooth(
-    const LocatedTask& task, std::span<const double> tolerances, const Progress& progress
+    const LocatedTask& task, std::span<const PickLeeway> leeways, const Progress& progress
 ) {
     std::optional<NearCurve> drawn;
-    if (std::ranges::any_of(tolerances, [](double t) { return t > 0.0; })) {
-        drawn = drawNear(task, tolerances, partOf(progress, 0.0, kNearPicksShare));
+    if (isAnyApart(leeways)) {
+        drawn = drawNear(task, leeways, partOf(progress, 0.0, kNearPicksShare));
         if (!drawn || !isStrict(task.prepared.surface(), drawn->curve.polyline)) {
             drawn = drawThrough(task, partOf(progress, kNearPicksShare, 1.0));
         }
@@ -265,7 +287,7 @@ std::vector<Value> chosenOf(std::span<const Value> values, std::span<const int> 
 /// Section by section, each as an open curve.
 Curve drawSections(
     const LocatedTask& task,
-    std::span<const double> tolerances,
+    std::span<const PickLeeway> leeways,
     std::span<const std::vector<int>> pointsOfEach,
     const Progress& progress
 ) {
@@ -279,12 +301,12 @@ Curve drawSections(
         const std::vector<int>& points = pointsOfEach[s];
         const auto picks = chosenOf(std::span(task.picks), points);
         const std::vector<int> numbers = chosenOf(task.context.pickNumbers, points);
-        std::vector<double> reaches = chosenOf(tolerances, points);
+        std::vector<PickLeeway> reaches = chosenOf(leeways, points);
         // Both sections of a corner end there.
         const bool isFirst = !task.options.closed && s == 0;
         const bool isLast = !task.options.closed && s + 1 == pointsOfEach.size();
-        reaches.front() = isFirst ? reaches.front() : 0.0;
-        reaches.back() = isLast ? reaches.back() : 0.0;
+        reaches.front() = isFirst ? reaches.front() : PickLeeway();
+        reaches.back() = isLast ? reaches.back() : PickLeeway();
         DesignContext context = task.context;
         context.start = starts.empty() ? nullptr : &starts[s];
         context.pickNumbers = numbers;
@@ -333,7 +355,8 @@ Curve SurfaceCurves::design(const CurveTask& task, const Progress& progress) con
     const std::shared_ptr<const ValidatedField> validated = fieldCache_.find(
         surface(), *extended(), valuesOn(surface(), task.field), options.fieldCost
     );
-    const LocatedPicks located = locatePicks(surface(), tree(), task.picks, options.closed);
+    const LocatedPicks located =
+        locatePicks(surface(), tree(), task.picks, options.closed, options.pickDistance);
     const std::vector<int> repeated = located.repeated();
     std::optional<Obstacles> obstacles;
     if (!avoid.empty()) {
@@ -358,8 +381,8 @@ Curve SurfaceCurves::design(const CurveTask& task, const Progress& progress) con
         *this, located.points, options, sampling, context, side ? &*side : nullptr
     };
     Curve curve = demands.sections.empty()
-                      ? drawSmooth(here, demands.tolerances, progress)
-                      : drawSections(here, demands.tolerances, demands.sections, progress);
+                      ? drawSmooth(here, demands.leeways, progress)
+                      : drawSections(here, demands.leeways, demands.sections, progress);
     Stopwatch watch;
     if (demands.isNear) {
         reportNearPicks(surface(), located, curve);
@@ -388,7 +411,8 @@ Curve SurfaceCurves::fit(const LineTask& task, const Progress& progress) const {
     options.validate();
     sampling.validate();
     fit.validate();
-    const LocatedPicks located = locatePicks(surface(), tree(), line, options.closed);
+    const LocatedPicks located =
+        locatePicks(surface(), tree(), line, options.closed, options.pickDistance);
     const std::shared_ptr<const ValidatedField> none =
         fieldCache_.find(surface(), *extended(), {}, options.fieldCost);
     const DesignContext context{.field = *none};

@@ -21,6 +21,7 @@ struct CurveTask {
     ScalarField field;
     Region avoid;
     std::span<const MeshLength> pickTolerances;  ///< see CurveInputs
+    std::span<const double> pickWeights;         ///< likewise
     std::span<const int> corners;                ///< likewise
     std::span<const Vec3> tangents;              ///< likewise
     const Curve* start;                          ///< see CurveInputs; null: none

@@ -39,6 +39,23 @@ Binding<Options> boundLength(const std::string& id, MeshLength Options::* member
     };
 }
 
+/// Binds the tolerance of all picks; where the text gives one for each, pickTolerancesOf() does.
+template <class Options>
+Binding<Options> boundTolerance(const std::string& id, MeshLength Options::* member) {
+    return {
+        .id = id,
+        .read =
+            [id, member](const ParameterValue& value, Options& options) {
+                const PickTolerances given = parsePickTolerances(std::get<std::string>(value), id);
+                options.*member =
+                    given.entries.size() == 1 ? given.entries.front().within : MeshLength();
+            },
+        .write = [member](const Options& options) -> ParameterValue {
+            return describe(options.*member);
+        }
+    };
+}
+
 /// Binds picks that are chosen by text.
 template <class Options>
 Binding<Options> boundPicks(const std::string& id, PickChoice Options::* member) {

@@ -88,11 +88,13 @@ std::optional<DrawnOptions> drawnOptions(const CurveRequest& request) {
         .avoid = avoidedOf(request),
         .avoidThreshold = request.avoid.threshold,
     };
-    const CurveRequest same = curveRequest(valuesOf(options));
+    CurveRequest same = curveRequest(valuesOf(options));
+    same.solver.pickDistance = request.solver.pickDistance;  // what is drawn has its picks on it
     const bool isOffered = areSame(solverBindings(), request.solver, same.solver) &&
                            areSame(samplingBindings(), request.sampling, same.sampling) &&
                            areSame(shellBindings(), request.shell, same.shell) &&
-                           areSame(request.field, same.field) && request.mending == same.mending;
+                           areSame(request.field, same.field) && request.mending == same.mending &&
+                           request.pickTolerances == same.pickTolerances;
     return isOffered ? std::optional(options) : std::nullopt;
 }
 

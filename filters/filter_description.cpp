@@ -17,13 +17,14 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::array<std::pair<const char*, ParameterType>, 12> kTypes = {{
+constexpr std::array<std::pair<const char*, ParameterType>, 13> kTypes = {{
     {"mesh", ParameterType::Layer},
     {"bool", ParameterType::Bool},
     {"int", ParameterType::Int},
     {"double", ParameterType::Double},
     {"absperc", ParameterType::Percentage},
     {"length", ParameterType::Length},
+    {"tolerances", ParameterType::Tolerances},
     {"picks", ParameterType::Picks},
     {"tangents", ParameterType::Tangents},
     {"enum", ParameterType::Enum},
@@ -337,6 +338,14 @@ const FilterDescription& patternFilter() {
 
 const FilterDescription& fitFilter() {
     return filterNamed("fit_curve_to_selection_boundary");
+}
+
+const FilterDescription& editFilter() {
+    return filterNamed("edit_curve_on_surface");
+}
+
+const FilterDescription& pointsFilter() {
+    return filterNamed("points_on_curve");
 }
 
 }  // namespace bspline_curve

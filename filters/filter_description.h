@@ -20,6 +20,7 @@ enum class ParameterType {
     Double,      ///< "double"
     Percentage,  ///< a length, in world units or as a share of the surface's diagonal; "absperc"
     Length,      ///< text: a length in world units or mean edges, see MeshLength; "length"
+    Tolerances,  ///< text: such lengths of picks, see parsePickTolerances(); "tolerances"
     Picks,       ///< text: numbers of picks, see parsePickChoice(); "picks"
     Tangents,    ///< text: directions of picks, see parsePickDirections(); "tangents"
     Enum,        ///< "enum"
@@ -126,7 +127,11 @@ struct FilterDescription {
 [[nodiscard]] const FilterDescription& offsetFilter();
 [[nodiscard]] const FilterDescription& patternFilter();
 
+/// The filter that places points along curves, parsed once.
+[[nodiscard]] const FilterDescription& pointsFilter();
+
 /// The filter that makes curves of boundaries of faces, parsed once.
 [[nodiscard]] const FilterDescription& fitFilter();
+[[nodiscard]] const FilterDescription& editFilter();
 
 }  // namespace bspline_curve

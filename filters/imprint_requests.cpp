@@ -5,9 +5,12 @@
 #include "bspline_curve/files.h"
 #include "filters/binding_makers.h"
 #include "filters/requests.h"
+#include "io/text_parsing.h"
 
-#include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace bspline_curve {
@@ -22,6 +25,7 @@ Bindings<CurveUse> useBindings() {
 Bindings<Placing> placingBindings() {
     return {
         bound("max_distance", &Placing::distance),
+        bound("direction", &Placing::direction),
         bound("project_curves", &Placing::project),
     };
 }
@@ -97,11 +101,19 @@ Bindings<OffsetRequest> bandBindings() {
     return {bound("select_band", &OffsetRequest::selectBand)};
 }
 
+Bindings<PointsRequest> pointsBindings() {
+    using R = PointsRequest;
+    return {
+        bound("count", &R::count), bound("distances", &R::distances), bound("at_picks", &R::atPicks)
+    };
+}
+
 CurveUse curveUse(const ParameterValues& values) {
     CurveUse use;
     readAll(values, useBindings(), use);
     readAll(values, placingBindings(), use.placing);
     checkLength("max_distance", use.placing.distance);
+    static_cast<void>(use.placing.projection());
     use.mending = mendingOptions(values);
     return use;
 }
@@ -126,13 +138,7 @@ std::optional<PartBase> baseOf(const CutWords& words) {
     }
     PartBase base{.length = words.base, .direction = std::nullopt, .height = std::nullopt};
     if (!words.baseDirection.empty()) {
-        std::string text = words.baseDirection;
-        std::ranges::replace(text, ',', ' ');
-        const std::vector<Vec3> directions = parsePicksText(text);
-        if (directions.size() != 1) {
-            refuseChoice("base_direction must be one direction, as \"x y z\"");
-        }
-        base.direction = directions.front();
+        base.direction = parseDirection(words.baseDirection, "base_direction");
         if (words.base == 0.0) {
             base.height = words.baseHeight;
         }
@@ -198,6 +204,40 @@ SegmentRequest segmentRequest(const ParameterValues& values) {
     SegmentRequest request{.imprint = imprintRequest(values)};
     readAll(values, segmentBindings(), request);
     return request;
+}
+
+PointsRequest pointsRequest(const ParameterValues& values) {
+    PointsRequest request{.use = curveUse(values)};
+    readAll(values, pointsBindings(), request);
+    const auto most = static_cast<int>(values.filter().parameter("count").max.value_or(0.0));
+    if (request.count < 1 || request.count > most) {
+        refuseChoice(
+            "count is " + std::to_string(request.count) + ", but must be in [1, " +
+            std::to_string(most) + "]"
+        );
+    }
+    if (request.atPicks && !request.distances.empty()) {
+        refuseChoice("the options distances and at_picks exclude each other");
+    }
+    static_cast<void>(parseDistances(request.distances));
+    return request;
+}
+
+std::vector<double> parseDistances(const std::string& text) {
+    std::vector<double> distances;
+    if (trimmed(text).empty()) {
+        return distances;
+    }
+    for (const std::string_view word : splitAt(text, ',')) {
+        const std::optional<double> distance = parseNumber(word);
+        if (!distance || !std::isfinite(*distance)) {
+            refuseChoice(
+                "distances has " + inQuotes(word) + ", but must be numbers with commas between them"
+            );
+        }
+        distances.push_back(*distance);
+    }
+    return distances;
 }
 
 OffsetRequest offsetRequest(const ParameterValues& values) {

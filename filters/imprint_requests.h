@@ -72,6 +72,13 @@ struct OffsetRequest {
     bool selectBand = false;
 };
 
+struct PointsRequest {
+    CurveUse use{};
+    int count = 20;           ///< of each curve
+    std::string distances{};  ///< in its place, in words; empty: not said
+    bool atPicks = false;     ///< in its place
+};
+
 /// The distance of an offset if none is given, relative to the diagonal.
 inline constexpr double kOffsetRelative = 0.02;
 
@@ -82,6 +89,7 @@ inline constexpr double kOffsetRelative = 0.02;
 [[nodiscard]] Bindings<SegmentRequest> segmentBindings();
 [[nodiscard]] Bindings<OffsetOptions> offsetBindings();
 [[nodiscard]] Bindings<OffsetRequest> bandBindings();
+[[nodiscard]] Bindings<PointsRequest> pointsBindings();
 
 /// Throws InputError (BadOption): choices that exclude each other, or one that needs another.
 [[noreturn]] void refuseChoice(const std::string& message);
@@ -89,13 +97,17 @@ inline constexpr double kOffsetRelative = 0.02;
 /// What all filters that use curves take. Throws InputError (BadOption).
 [[nodiscard]] CurveUse curveUse(const ParameterValues& values);
 
-// Of imprintFilter(), cutFilter(), segmentFilter() and offsetFilter(). Throw InputError (BadOption)
-// naming the value and its range where a number is outside, or where two choices exclude each
-// other.
+// Of imprintFilter(), cutFilter(), segmentFilter(), offsetFilter() and pointsFilter(). Throw
+// InputError (BadOption) naming the value and its range where a number is outside, or where two
+// choices exclude each other.
 [[nodiscard]] ImprintRequest imprintRequest(const ParameterValues& values);
 [[nodiscard]] CutRequest cutRequest(const ParameterValues& values);
 [[nodiscard]] SegmentRequest segmentRequest(const ParameterValues& values);
 [[nodiscard]] OffsetRequest offsetRequest(const ParameterValues& values);
+[[nodiscard]] PointsRequest pointsRequest(const ParameterValues& values);
+
+/// Distances along a curve, "0, 0.5, 1.2". Throws InputError (BadOption) naming what is no number.
+[[nodiscard]] std::vector<double> parseDistances(const std::string& text);
 
 /// What a cut leaves. `toolPoints`: of the host's own tool, in world coordinates. Throws InputError
 /// where seeds are meant and there is none.

@@ -47,7 +47,8 @@ Bindings<SolverOptions> shapeBindings() {
         bound("closed", &S::closed),
         bound("degree", &S::degree),
         bound("tension", &S::tension),
-        boundLength("pick_tolerance", &S::pickTolerance),
+        boundTolerance("pick_tolerance", &S::pickTolerance),
+        bound("pick_distance", &S::pickDistance),
         chosen("field_cost", &S::fieldCost, fieldCosts()),
         bound("field_weight", &S::fieldWeight),
         bound("avoid_margin", &S::avoidMargin),
@@ -164,6 +165,14 @@ Bindings<SolverOptions> solverBindings() {
         all.insert(all.end(), more.begin(), more.end());
     }
     return all;
+}
+
+PickTolerances pickTolerancesOf(const std::string& text) {
+    PickTolerances tolerances = parsePickTolerances(text, "pick_tolerance");
+    if (tolerances.entries.size() == 1 && tolerances.entries.front().weight == 0.0) {
+        tolerances.entries.clear();
+    }
+    return tolerances;
 }
 
 Bindings<SamplingOptions> samplingBindings() {

@@ -37,6 +37,9 @@ void readAll(const ParameterValues& values, const Bindings<Options>& bindings, O
 }
 
 [[nodiscard]] Bindings<SolverOptions> solverBindings();
+/// What the text of pick_tolerance says that SolverOptions::pickTolerance does not: none where it
+/// is one length for all picks. Throws InputError (BadOption).
+[[nodiscard]] PickTolerances pickTolerancesOf(const std::string& text);
 [[nodiscard]] Bindings<SamplingOptions> samplingBindings();
 [[nodiscard]] Bindings<ShellOptions> shellBindings();
 

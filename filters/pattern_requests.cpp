@@ -3,6 +3,9 @@
 
 #include "bspline_curve/files.h"
 #include "filters/binding_makers.h"
+#include "io/text_parsing.h"
+
+#include <string_view>
 
 namespace bspline_curve {
 
@@ -22,6 +25,7 @@ Bindings<PatternRequest> patternBindings() {
         bound("drawing", &R::drawingFile),
         bound("text", &R::text),
         bound("font", &R::fontFile),
+        bound("layers", &R::layers),
         chosen(
             "place",
             &R::place,
@@ -66,6 +70,16 @@ PatternRequest patternRequest(const ParameterValues& values) {
     request.pattern.validate();
     checkDrawing(request);
     return request;
+}
+
+std::vector<std::string> patternLayers(const PatternRequest& request) {
+    std::vector<std::string> layers;
+    for (const std::string_view name : splitAt(request.layers, ',')) {
+        if (!name.empty()) {
+            layers.emplace_back(name);
+        }
+    }
+    return layers;
 }
 
 Vec3 patternCentre(const PatternRequest& request, const std::vector<Vec3>& toolPoints) {

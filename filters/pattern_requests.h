@@ -19,6 +19,7 @@ struct PatternRequest {
     std::string drawingFile;  ///< UTF-8; empty: text
     std::string text;         ///< UTF-8
     std::string fontFile;     ///< UTF-8; empty: found
+    std::string layers;       ///< of a DXF, with commas between them; empty: all that are visible
     PatternPlace place = PatternPlace::Point;
     std::string centre;  ///< "x y z"; empty: the one point of the host's own tool
     std::string up;      ///< "x y z"; empty: found
@@ -34,6 +35,9 @@ struct PatternRequest {
 /// Of patternFilter(). Throws InputError (BadOption) naming the value and its range where a number
 /// is outside, or where neither drawing nor text is given, or both.
 [[nodiscard]] PatternRequest patternRequest(const ParameterValues& values);
+
+/// The names of the layers to read.
+[[nodiscard]] std::vector<std::string> patternLayers(const PatternRequest& request);
 
 /// The centre of the drawing. `toolPoints`: of the host's own tool, in world coordinates. Throws
 /// InputError where there is none, or more than one.

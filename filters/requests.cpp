@@ -92,6 +92,7 @@ CurveRequest curveRequest(const ParameterValues& values) {
     } else {
         readAll(values, solverBindings(), request.solver);
     }
+    request.pickTolerances = pickTolerancesOf(values.get<std::string>("pick_tolerance"));
     readAll(values, samplingBindings(), request.sampling);
     readAll(values, shellBindings(), request.shell);
     request.solver.validate();

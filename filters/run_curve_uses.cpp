@@ -4,6 +4,7 @@
 #include "bspline_curve/curve.h"
 #include "bspline_curve/error.h"
 #include "bspline_curve/imprint.h"
+#include "bspline_curve/lines.h"
 #include "bspline_curve/offset.h"
 #include "bspline_curve/parts.h"
 #include "bspline_curve/progress.h"
@@ -55,7 +56,7 @@ PlacedInput placedInput(const CurvesOnLayer& input, const CurveUse& use, const P
     report(progress, kPlacedShare, "curves");
     result.warnings = layerNotes(*result.workpiece);
     std::ranges::move(
-        leftOutWarnings(result.placed, input.surface), std::back_inserter(result.warnings)
+        placingWarnings(result.placed, input.surface), std::back_inserter(result.warnings)
     );
     return result;
 }
@@ -269,6 +270,65 @@ OffsetResult runOffsetFilter(
         .figures = keyValueText(result.figures),
         .warnings = std::move(placed.warnings),
         .summary = offsetSummary(result.figures)
+    };
+    return result;
+}
+
+namespace {
+
+std::vector<double> distancesAlong(const PlacedCurve& curve, const PointsRequest& request) {
+    const std::vector<double> given = parseDistances(request.distances);
+    if (!given.empty()) {
+        return given;
+    }
+    if (request.atPicks) {
+        if (curve.line.picks.empty()) {
+            refuseChoice(
+                "layer \"" + curve.label +
+                "\" keeps no picks: it is no curve of this plugin, or was changed; give the "
+                "option count"
+            );
+        }
+        return distancesOfPicks(curve.line);
+    }
+    if (request.count == 1 && !curve.line.closed) {
+        refuseChoice(
+            "count is 1, but layer \"" + curve.label + "\" is an open curve: 2 points are its ends"
+        );
+    }
+    return evenDistances(curve.line, request.count);
+}
+
+}  // namespace
+
+PointsResult runPointsFilter(
+    const CurvesOnLayer& input, const PointsRequest& request, const Progress& progress
+) {
+    Stopwatch watch;
+    PlacedInput placed = placedInput(input, request.use, progress);
+    const std::vector<PlacedCurve>& curves = placed.placed.curves;
+    const CurvePoints along(placed.workpiece->mesh());
+    PointsResult result;
+    double length = 0.0;
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+        const PlacedCurve& curve = curves[i];
+        const std::vector<CurvePoint> points =
+            along.at(curve.line, curve.spline, distancesAlong(curve, request));
+        std::ranges::copy(points, std::back_inserter(result.points));
+        result.curveOf.insert(result.curveOf.end(), points.size(), static_cast<int>(i));
+        length += lengthOf(curve.line);
+    }
+    result.figures = {
+        {"curves", countOf(curves.size())},
+        {"projected_curves", placed.placed.projected},
+        {"points", countOf(result.points.size())},
+        {"length", length},
+        {"seconds", watch.lap()},
+    };
+    result.log = {
+        .figures = keyValueText(result.figures),
+        .warnings = std::move(placed.warnings),
+        .summary = pointsSummary(result.figures)
     };
     return result;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bspline_curve/curve.h"
+#include "bspline_curve/lines.h"
 #include "bspline_curve/parts.h"
 #include "bspline_curve/progress.h"
 #include "filters/imprint_requests.h"
@@ -63,6 +64,18 @@ struct OffsetResult {
 /// Lines at a distance. Refuses a curve beside which no point has it.
 [[nodiscard]] OffsetResult runOffsetFilter(
     const CurvesOnLayer& input, const OffsetRequest& request, const Progress& progress = {}
+);
+
+struct PointsResult {
+    std::vector<CurvePoint> points;  ///< of all curves, one after the other
+    std::vector<int> curveOf;        ///< of each point its curve, from 0
+    Figures figures;
+    FilterLog log;
+};
+
+/// Points along curves. Refuses a distance that is not on a curve, and one point of an open curve.
+[[nodiscard]] PointsResult runPointsFilter(
+    const CurvesOnLayer& input, const PointsRequest& request, const Progress& progress = {}
 );
 
 }  // namespace bspline_curve

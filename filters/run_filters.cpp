@@ -72,6 +72,9 @@ CurveResult runCurveFilter(
     if (options.tangents.entries.empty()) {
         options.tangents = chosen.tangents;
     }
+    if (options.pickTolerances.entries.empty() && options.solver.pickTolerance == MeshLength()) {
+        options.pickTolerances = chosen.tolerances;
+    }
     const std::optional<ShellCache> cache = ShellCache::ofUser();
     const WorkpieceCache::Found found = workpieces.ready(
         layer, request, partOf(progress, 0.0, kCurveSurfaceShare), cache ? &*cache : nullptr

@@ -27,7 +27,7 @@ constexpr double kPatternSurfaceShare = 0.3;
 /// What is to be drawn; `log` is told what of a file was left out, and the font of a text.
 Drawing drawingOf(const PatternRequest& request, FilterLog& log) {
     if (request.text.empty()) {
-        DrawingFile file = readDrawing(utf8Path(request.drawingFile));
+        DrawingFile file = readDrawing(utf8Path(request.drawingFile), patternLayers(request));
         log.warnings = std::move(file.notes);
         return std::move(file.drawing);
     }
@@ -91,7 +91,7 @@ DrawnPattern drawnOn(
             )
         );
     }
-    result.warnings = leftOutWarnings(placed, input.surface);
+    result.warnings = placingWarnings(placed, input.surface);
     return result;
 }
 

@@ -144,6 +144,13 @@ std::string offsetSummary(const Figures& figures) {
            lengthIn(figures, "largest_deviation") + "." + timeIn(figures);
 }
 
+std::string pointsSummary(const Figures& figures) {
+    const int curves = countIn(figures, "curves");
+    return counted(countIn(figures, "points"), "point", "points") + " on " +
+           counted(curves, "curve", "curves") + ", " + (curves == 1 ? "" : "together ") +
+           lengthIn(figures, "length") + " long." + timeIn(figures);
+}
+
 std::string fitSummary(const Figures& figures) {
     std::string text =
         "Curves along " + counted(countIn(figures, "curves"), "boundary", "boundaries") +
@@ -156,6 +163,16 @@ std::string fitSummary(const Figures& figures) {
         text += " " + counted(left, "boundary is", "boundaries are") + " left out.";
     }
     return text + timeIn(figures);
+}
+
+std::string editSummary(const Figures& figures) {
+    std::string text = counted(countIn(figures, "curves"), "curve", "curves");
+    if (const int projected = countIn(figures, "projected_curves"); projected > 0) {
+        text += ", " + std::to_string(projected) + " of them projected,";
+    }
+    const int made = countIn(figures, "new_curves");
+    return text + " became " + std::to_string(made) + (made > 1 ? ", together " : ", ") +
+           lengthIn(figures, "length") + " long." + timeIn(figures);
 }
 
 std::string patternSummary(const Figures& figures) {

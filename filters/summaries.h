@@ -49,9 +49,15 @@ struct CurveCircumstances {
 /// to 2e-05 mesh units. Time: 0.3 s."
 [[nodiscard]] std::string offsetSummary(const Figures& figures);
 
+/// "20 points on 1 curve, 2.1 mesh units long. Time: 0.1 s."
+[[nodiscard]] std::string pointsSummary(const Figures& figures);
+
 /// "Curves along 3 boundaries, together 4.1 mesh units long, nowhere farther from them than 0.06
 /// mesh units. 1 boundary is left out. Time: 0.2 s."
 [[nodiscard]] std::string fitSummary(const Figures& figures);
+
+/// "2 curves became 1, 3.2 mesh units long. Time: 0.1 s."
+[[nodiscard]] std::string editSummary(const Figures& figures);
 
 /// "Pattern of 24 curves, together 3.2 mesh units long, within 0.0001 mesh units of the drawing
 /// (allowed: 0.0004). Lengths are 0.98 to 1.03 times those of the drawing. Time: 1.2 s."

@@ -22,4 +22,16 @@ namespace bspline_curve {
     const Surface& surface, const TriangleTree& tree, const SpacePolyline& line, double distance
 );
 
+/// The same, or along the direction of the options, see drapedPolyline(); on the surface's input.
+/// Throws likewise.
+[[nodiscard]] ProjectedLines projectedLines(
+    const Surface& surface,
+    const TriangleTree& tree,
+    const SpacePolyline& line,
+    const ProjectionOptions& options
+);
+
+/// Gives the vertices of a line the lengths up to them as t, from 0 to 1.
+void setParametersByLength(SurfacePolyline& line);
+
 }  // namespace bspline_curve

@@ -7,14 +7,16 @@
 #include "io/curve_reader.h"
 #include "io/text_parsing.h"
 #include "surface/lines_over_parted_edges.h"
-#include "surface/picks.h"
 #include "surface/surface_point.h"
 #include "workpiece/workpiece_parts.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace bspline_curve {
 
@@ -62,45 +64,61 @@ std::optional<SurfacePolyline> linePlaced(
 
 }  // namespace
 
-CurvesOfFile CurvesOnSurface::read(const std::filesystem::path& file, const char* remedy) {
+ProjectedLines CurvesOnSurface::projected(
+    const std::filesystem::path& file, const PolylineFile& polylines, std::size_t index
+) {
+    if (!tree_) {
+        tree_.emplace(surface_.vertices(), surface_.faces());
+    }
+    try {
+        return projectedLines(surface_, *tree_, polylines.lines[index], reading_.projection);
+    } catch (const InputError& error) {
+        const std::string which =
+            polylines.lines.size() == 1 ? "" : "polyline " + std::to_string(index) + " of it ";
+        throw InputError(
+            error.code(),
+            file.string() + ": " + which + "is not near the mesh: " + error.what() +
+                "; give the mesh that it belongs to, or " + reading_.remedy,
+            error.elements()
+        );
+    }
+}
+
+CurvesOfFile CurvesOnSurface::read(const std::filesystem::path& file) {
+    reading_.projection.validate();
     if (lowerCaseExtension(file) == ".json") {
         return {
             .lines = readCurves(file, surface_, mesh_), .splines = readSplines(file), .notes = {}
         };
     }
-    PolylineFile polylines = readPolylines(file, layers_);
-    CurvesOfFile result{
-        .lines = {},
-        .splines = std::vector<std::optional<SplineData>>(polylines.lines.size()),
-        .notes = std::move(polylines.notes)
-    };
+    PolylineFile polylines = readPolylines(file, reading_.layers);
+    CurvesOfFile result{.lines = {}, .splines = {}, .notes = std::move(polylines.notes)};
+    std::vector<ProjectedLines> all(polylines.lines.size());
     for (std::size_t i = 0; i < polylines.lines.size(); ++i) {
-        const SpacePolyline& line = polylines.lines[i];
-        if (auto placed = linePlaced(surface_, line, polylines.places[i])) {
+        if (auto placed = linePlaced(surface_, polylines.lines[i], polylines.places[i])) {
             result.lines.push_back(*std::move(placed));
             continue;
         }
-        if (!tree_) {
-            tree_.emplace(surface_.vertices(), surface_.faces());
-        }
-        try {
-            result.lines.push_back(projectedPolyline(surface_, *tree_, line, distance_));
-        } catch (const InputError& error) {
-            const std::string which =
-                polylines.lines.size() == 1 ? "" : "polyline " + std::to_string(i) + " of it ";
-            throw InputError(
-                error.code(),
-                file.string() + ": " + which + "is not near the mesh: " + error.what() +
-                    "; give the mesh that it belongs to, or " + remedy,
-                error.elements()
-            );
-        }
+        all[i] = projected(file, polylines, i);
+        std::ranges::move(all[i].lines, std::back_inserter(result.lines));
+    }
+    if (result.lines.empty()) {
+        throw InputError(
+            InputErrorCode::PickTooFar,
+            file.string() +
+                ": nothing of it meets the mesh along the direction; move it, or give "
+                "another direction"
+        );
+    }
+    result.splines.resize(result.lines.size());
+    if (const std::string note = projectionNote(all); !note.empty()) {
+        result.notes.push_back(file.string() + ": " + note);
     }
     return result;
 }
 
-SurfacePolyline CurvesOnSurface::readOne(const std::filesystem::path& file, const char* remedy) {
-    CurvesOfFile read = this->read(file, remedy);
+SurfacePolyline CurvesOnSurface::readOne(const std::filesystem::path& file) {
+    CurvesOfFile read = this->read(file);
     if (read.lines.size() != 1) {
         refuseFile(
             file, "has " + std::to_string(read.lines.size()) + " curves, and one is needed here"
@@ -110,15 +128,9 @@ SurfacePolyline CurvesOnSurface::readOne(const std::filesystem::path& file, cons
 }
 
 CurvesOfFile readCurvesOn(
-    const Workpiece& workpiece,
-    const std::filesystem::path& file,
-    double distance,
-    const std::vector<std::string>& layers,
-    const char* remedy
+    const Workpiece& workpiece, const std::filesystem::path& file, const CurveReading& reading
 ) {
-    const double reach = distance > 0.0 ? distance : kPickReachRelative * workpiece.diagonal();
-    return CurvesOnSurface(surfaceOf(workpiece), workpiece.checksum(), reach, layers)
-        .read(file, remedy);
+    return CurvesOnSurface(surfaceOf(workpiece), workpiece.checksum(), reading).read(file);
 }
 
 }  // namespace bspline_curve

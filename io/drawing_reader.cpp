@@ -10,6 +10,9 @@ DrawingFile readDrawing(const std::filesystem::path& file, const std::vector<std
     if (extension != ".svg" && extension != ".dxf") {
         refuseFile(file, "drawings are read from .svg and .dxf; save the drawing as one of these");
     }
+    if (extension != ".dxf" && !layers.empty()) {
+        refuseFile(file, "layers are chosen in .dxf alone");
+    }
     const std::string bytes = readWholeFile(file);
     DrawingFile result = extension == ".dxf" ? drawingOfDxf(file, bytes, layers)
                                              : drawingOfSvg(file, xmlTreeOf(file, bytes));

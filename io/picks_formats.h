@@ -50,6 +50,12 @@ namespace bspline_curve {
     const std::filesystem::path& file, const nlohmann::json& object, std::size_t picks
 );
 
+/// What an object says of how near a curve keeps to so many picks: a list "tolerances" of numbers
+/// and texts, one for each, or nothing.
+[[nodiscard]] PickTolerances tolerancesOfJson(
+    const std::filesystem::path& file, const nlohmann::json& object, std::size_t picks
+);
+
 /// A coordinate of a file: a finite number.
 [[nodiscard]] double coordinateOf(
     const std::filesystem::path& file, std::size_t line, std::string_view word

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "bspline_curve/error.h"
 #include "io/json_reader.h"
 #include "io/picks_formats.h"
 #include "io/text_parsing.h"
@@ -87,6 +88,31 @@ PickDirections tangentsOfJson(const path& file, const nlohmann::json& object, st
     return tangents;
 }
 
+PickTolerances tolerancesOfJson(const path& file, const nlohmann::json& object, std::size_t picks) {
+    PickTolerances tolerances;
+    if (!object.contains("tolerances")) {
+        return tolerances;
+    }
+    const nlohmann::json& written = object.at("tolerances");
+    if (!written.is_array() || written.size() != picks) {
+        refuseFile(
+            file,
+            R"("tolerances" is no list of )" + describeCount(picks, "entry", "entries") +
+                ", one for each pick"
+        );
+    }
+    for (const nlohmann::json& each : written) {
+        const std::string text = each.is_string() ? each.get<std::string>() : each.dump();
+        try {
+            const PickTolerances one = parsePickTolerances(text, R"("tolerances")");
+            tolerances.entries.push_back(one.entries.front());
+        } catch (const InputError& error) {
+            refuseFile(file, error.what());
+        }
+    }
+    return tolerances;
+}
+
 PicksFile picksOfJson(const path& file, const std::string& bytes) {
     const nlohmann::json document = jsonOfBytes(file, bytes);
     if (document.is_object() && document.contains("markups")) {
@@ -106,6 +132,7 @@ PicksFile picksOfJson(const path& file, const std::string& bytes) {
     const nlohmann::json& beside = &where == &ofCurve ? document.at("picks") : document;
     result.corners = cornersOfJson(file, beside, result.picks.size());
     result.tangents = tangentsOfJson(file, document, result.picks.size());
+    result.tolerances = tolerancesOfJson(file, beside, result.picks.size());
     if (document.contains("closed")) {
         if (!document["closed"].is_boolean()) {
             refuseFile(file, R"("closed" must be true or false)");

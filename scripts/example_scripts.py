@@ -76,7 +76,7 @@ def attributes(parameter, value):
     if kind == "saveFile":
         patterns = " ".join("*" + extension for extension in parameter["extensions"])
         return {"type": "RichSaveFile", "value": value, "ext": patterns}
-    if kind in ("string", "length", "picks", "tangents"):
+    if kind in ("string", "length", "tolerances", "picks", "tangents"):
         return {"type": "RichString", "value": value}
     raise ValueError(f"{parameter['id']}: unknown type {kind}")
 

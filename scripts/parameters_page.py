@@ -33,6 +33,7 @@ GROUPS = {
     "further.polyline": "The polyline",
     "further.shell": "Where the curve is sought",
     "further.pattern": "More of patterns",
+    "further.join": "More of joints",
     "advanced.curves": "How curves come onto the mesh",
     "advanced.layers": "Further layers",
     "advanced.avoid": "How faces are avoided",
@@ -78,6 +79,8 @@ def values_of(parameter):
         return ", ".join(f"`{extension}`" for extension in parameter["extensions"])
     if kind == "length":
         return "a length, or so many `edges`"
+    if kind == "tolerances":
+        return "a length, or so many `edges`, or a `weight`; or one for each pick"
     if kind == "picks":
         return "numbers of picks, or `all`"
     if kind == "tangents":

@@ -53,7 +53,7 @@ RAISES = [
 def documented(parameter, with_selections):
     """Name, type and meaning, as a docstring has them."""
     kind, default = parameter["type"], parameter["default"]
-    words = {"saveFile": "str or path", "bool": "bool", "int": "int", "double": "float", "absperc": "float", "length": "float or str", "mesh": "int"}.get(kind, "str")
+    words = {"saveFile": "str or path", "bool": "bool", "int": "int", "double": "float", "absperc": "float", "length": "float or str", "tolerances": "float or str, or a sequence of these", "mesh": "int"}.get(kind, "str")
     text = parameter["help"]
     if kind == "enum":
         words = "{" + ", ".join(repr(o["id"]) for o in options_of(parameter, with_selections)) + "}"
@@ -151,7 +151,7 @@ def functions(filters):
     curve, field = ([p for p in f["parameters"] if p["id"] not in LEFT_OUT] for f in filters[:2])
     return "\n".join([
         HEAD + '"""Curves and fields on arrays."""', "",
-        "from __future__ import annotations", "", "import os", "from typing import Literal, TypeAlias", "",
+        "from __future__ import annotations", "", "import os", "from collections.abc import Sequence", "from typing import Literal, TypeAlias", "",
         "import numpy.typing as npt", "", "from . import run", "from .arrays import Floats", "from .curve import Curve", "",
         aliases([p for p in curve if p["id"] not in ("field_region",)] + field, False), "", "",
         draw_function(filters[0], curve), "", "", field_function(filters[1], field), "",
@@ -186,7 +186,7 @@ def methods(filters):
             *(f"    pymeshlab.MeshSet.{name} = {name}" for name in names)]
     return "\n".join([
         HEAD + '"""The filters as methods of pymeshlab.MeshSet."""', "",
-        "from __future__ import annotations", "", "from typing import Any, Literal, TypeAlias", "",
+        "from __future__ import annotations", "", "from collections.abc import Sequence", "from typing import Any, Literal, TypeAlias", "",
         "import pymeshlab", "", "from .run import apply", "", aliases(parameters, True), "", "",
         *("\n" + method(f) + "\n" if i else method(f) + "\n" for i, f in enumerate(filters)), "", *bind, "",
     ])

@@ -16,10 +16,13 @@ HELP = {
     "shell": "Where curves are sought.",
     "tangents": "Directions in which the curve passes picks, by their indices, as {0: (1, 0, 0)}. Their part along the surface counts, "
                 "not their length. Such picks are passed whatever their tolerance, and are no corners.",
+    "pick_tolerance": "How far from each pick the curve may pass: it is as fair as possible within that distance. A length in the unit "
+                      "of the mesh, or text like '1.5 edges', in mean edges; one for all picks, or one for each. 0: it passes the picks. "
+                      "In place of a length, 'weight 100': no bound, but a pull that grows with the distance.",
     "corners": "Picks at which the curve turns, by their indices, or 'all'. It passes them, and is as fair as possible on either side.",
 }
 PICKS = ("picks", "(p, 3) array of float, or p pairs (face, barycentrics)",
-         "Points that the curve passes, in order. Those farther from the mesh than 1 % of its diagonal are refused.")
+         "Points that the curve passes, in order. Those farther from the mesh than `pick_distance` are refused.")
 FIELD = ("field", "str or (n,) array of float, optional",
          "Draws the curve to where it costs little: a kind of field(), or a value for each vertex. 'auto': the quality, mapped to "
          "[0, 1], where there is one that is finite and not constant and that no threshold of avoid is for; else none.")
@@ -48,7 +51,7 @@ def parameters_of(flt, keep):
 
 def documented(parameter):
     kind, text = parameter["type"], parameter["help"]
-    words = {"bool": "bool", "int": "int", "length": "float or str", "picks": "sequence of int, or 'all'",
+    words = {"bool": "bool", "int": "int", "length": "float or str", "tolerances": "float or str, or a sequence of these", "picks": "sequence of int, or 'all'",
              "tangents": "mapping of int to (3,) arrays, optional"}.get(kind, "float")
     if kind == "enum":
         words = "{" + ", ".join(repr(o["id"]) for o in options_of(parameter, False)) + "}"

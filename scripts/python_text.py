@@ -28,6 +28,8 @@ def type_of(parameter, with_selections):
         return "float | pymeshlab.PercentageValue | pymeshlab.PureValue" if with_selections else "float"
     if kind == "length":
         return "float | str"
+    if kind == "tolerances":
+        return "float | str | Sequence[float | str]"
     return {"bool": "bool", "int": "int", "double": "float", "mesh": "int | None"}.get(kind, "str")
 
 

@@ -3,14 +3,16 @@
 
 #include "bspline_curve/progress.h"
 #include "solver/knot_insertion.h"
-#include "solver/paper/paper_settings.h"
 #include "solver/sample_rule.h"
+#include "solver/solve_variant.h"
 #include "utility/stopwatch.h"
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace bspline_curve {
 namespace {
@@ -47,7 +49,7 @@ public:
           weights_(firstWeights),
           roundGoal_(policy.round),
           stopRule_(policy.givesUp),
-          paper_(problem) {
+          variant_(variantOf(problem).rounds(problem)) {
         report_.knotsFirst = knotCount();
     }
 
@@ -68,7 +70,8 @@ public:
                 energy_.makeExact();  // what is left lies between the samples
             }
             double ratio = distanceRatio();
-            if (isSettled && ratio < policy_.schedule.nearShare && paper_.arePicksNear(energy_)) {
+            if (isSettled && ratio < policy_.schedule.nearShare &&
+                variant_->arePicksNear(energy_)) {
                 const SolveStatus status = rest();
                 if (distance_.largest < problem_.distanceTolerance) {
                     report_.status = status;
@@ -88,7 +91,7 @@ public:
             }
             EnergyWeights next = weights_;
             next.alpha = policy_.schedule.next(weights_.alpha, ratio);
-            paper_.adjustNext(weights_, minimum.value.terms, next);
+            variant_->adjustNext(weights_, minimum.value.terms, next);
             if (breaks == energy_.space().breaks() && next.alpha <= weights_.alpha &&
                 next.beta <= weights_.beta) {
                 report_.status = SolveStatus::KnotLimit;
@@ -96,7 +99,7 @@ public:
             }
             weights_ = next;
             insertKnots(std::move(breaks));
-            paper_.setBarrier(energy_, largestHeight, weights_);
+            variant_->setBarrier(energy_, largestHeight, weights_);
         }
         return finish();
     }
@@ -178,9 +181,10 @@ private:
     }
 
     [[nodiscard]] std::vector<double> chooseBreaks(const MinimiseResult& minimum) {
-        if (problem_.options.knotRule == KnotRule::FeatureFunction) {
-            const bool isNear = distanceRatio() < policy_.schedule.nearShare;
-            return paper_.chooseBreaks(energy_, weights_, minimum.value.scale, isNear);
+        const bool isNear = distanceRatio() < policy_.schedule.nearShare;
+        if (std::optional<std::vector<double>> breaks =
+                variant_->chooseBreaks(energy_, weights_, minimum.value.scale, isNear)) {
+            return std::move(*breaks);
         }
         const KnotDemand gain = energy_.refinementGain();
         return gain.isNegligible
@@ -193,7 +197,7 @@ private:
     // for the picks is none any more.
     SolveStatus rest() {
         const SolveStatus status = comeToRest();
-        const double moved = paper_.meetPicks(energy_, policy_.newton);
+        const double moved = variant_->meetPicks(energy_, policy_.newton);
         if (std::optional<TracedSpline> thinned = energy_.withFewerKnots()) {
             thinned_ = std::move(thinned->curve);
             distance_ = std::move(thinned->distance);
@@ -262,7 +266,7 @@ private:
 
     [[nodiscard]] Solution finish() {
         if (!report_.usable && !policy_.tracesAtRestOnly) {
-            paper_.meetPicks(energy_, policy_.newton);
+            variant_->meetPicks(energy_, policy_.newton);
             distance_ = energy_.trace();
             report_.usable = distance_.largest < problem_.distanceTolerance;
             const bool isStopped = round_ < problem_.options.maxRounds;
@@ -291,7 +295,7 @@ private:
     EnergyWeights weights_;
     NewtonGoal roundGoal_;
     StopRule stopRule_;
-    PaperSettings paper_;
+    std::unique_ptr<RoundVariant> variant_;
     CurveDistance distance_;              // of curve and surface, in the shell's frame
     std::optional<SplineCurve> thinned_;  // the curve at rest, without needless knots
     int round_ = 0;

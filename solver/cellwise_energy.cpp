@@ -4,6 +4,7 @@
 #include "projection/curve_distance.h"
 #include "solver/knot_insertion.h"
 #include "solver/problem_traces.h"
+#include "solver/sampled_solver.h"
 
 #include <algorithm>
 #include <array>
@@ -17,8 +18,6 @@ struct CellwiseEnergyConstants {
     /// Rounds that only prepare the next one take E_dist at two samples on each of so many parts of
     /// a span. Even, so that halved spans have the same samples.
     int roughSegments = 2;
-    /// Not with more tension than this, which leaves little that holds the curve between samples.
-    double highestRoughTension = 0.5;
     /// More knots no longer change the curve where they would lower the energy by less than this
     /// share of it; and at samples, which see less of it.
     double negligibleGain = 0.03;
@@ -49,8 +48,7 @@ SampleRule firstRule(const CurveProblem& problem) {
         return segmentsOfCurve(problem.options.paper);
     }
     // A field draws the samples into its valleys, and the curve between them over its ridges.
-    const bool isSmooth =
-        problem.options.tension <= kCellwiseEnergy.highestRoughTension && !hasPull(problem);
+    const bool isSmooth = problem.options.tension <= kSampled.highestTension && !hasPull(problem);
     // Straight walks between samples cut the corners of what the curve avoids.
     const bool isFree = problem.obstacles == nullptr;
     return problem.shell->isFullResolution() || !isSmooth || !isFree

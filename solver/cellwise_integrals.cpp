@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/cellwise_integrals.h"
 
-#include "solver/paper/pick_penalty.h"
-
-#include <cmath>
+#include "solver/solve_variant.h"
 
 namespace bspline_curve {
 
@@ -13,7 +11,11 @@ CellwiseIntegrals::CellwiseIntegrals(
     const std::vector<InterpolationRow>& rows,
     const SampleRule& rule
 )
-    : problem_(problem), space_(space), rows_(rows), internal_(problem, space, rule), rule_(rule) {}
+    : problem_(problem),
+      space_(space),
+      internal_(problem, space, rule),
+      moreTerms_(variantOf(problem).moreTerms(problem, space, rows)),
+      rule_(rule) {}
 
 EnergyValue CellwiseIntegrals::evaluate(
     const ControlPoints& controls, const EnergyWeights& weights, EnergyDerivatives* derivatives
@@ -29,16 +31,11 @@ EnergyValue CellwiseIntegrals::evaluate(
         return value;
     }
     value.terms.internal = internal_.add(controls, derivatives);
-    value.terms.fit =
-        addPickPenalty(problem_.chordLength, space_, rows_, controls, weights.beta, derivatives);
-    const double field = fieldWeight(problem_) * value.terms.external;
-    const double others = value.terms.internal + weights.alpha * value.terms.distance +
-                          weights.beta * value.terms.fit +
-                          weights.avoidance * value.terms.avoidance;
-    value.total = others + field;
-    const double aboveLeast =
-        fieldWeight(problem_) * (value.terms.external - problem_.fieldCosts.least);
-    value.scale = others + kFieldShare * std::abs(aboveLeast);
+    for (const std::unique_ptr<SplineTerm>& term : moreTerms_) {
+        term->add(controls, weights, value.terms, derivatives);
+    }
+    value.total = PointTerms::sum(value.terms, problem_, weights);
+    value.scale = PointTerms::scale(value.terms, problem_, weights, 0.0);
     return value;
 }
 

@@ -4,7 +4,9 @@
 #include "solver/energy.h"
 #include "solver/internal_energy.h"
 #include "solver/quadrature.h"
+#include "solver/spline_term.h"
 
+#include <memory>
 #include <vector>
 
 namespace bspline_curve {
@@ -47,8 +49,8 @@ private:
 
     const CurveProblem& problem_;
     const SplineSpace& space_;
-    const std::vector<InterpolationRow>& rows_;
     InternalEnergy internal_;
+    std::vector<std::unique_ptr<SplineTerm>> moreTerms_;  // of the problem's variant
     SampleRule rule_;
 };
 

@@ -4,8 +4,8 @@
 #include "projection/curve_distance.h"
 #include "solver/algorithm1.h"
 #include "solver/cellwise_energy.h"
-#include "solver/paper/paper_settings.h"
 #include "solver/shell_reach.h"
+#include "solver/solve_variant.h"
 #include "utility/stopwatch.h"
 
 #include <algorithm>
@@ -19,17 +19,13 @@ namespace {
 struct CellwiseConstants {
     /// First weight of E_dist, which is dimensionless, in a thin shell.
     double firstAlpha = 10.0;
-    /// It grows by this at most. Half of it gives the same bending in more rounds; much more lets a
-    /// stiff spline slide sideways.
-    double mostAlphaFactor = 6.0;
     /// Weight of E_avoid: iterations hardly depend on it; with less, curves keep less of the
     /// margin.
     double avoidance = 3.0;
-    /// Newton stops at these shares of the energy: in rounds with rough integrals, in the others,
-    /// at rest while frozen directions still change, and at last. With more in the rounds curves
-    /// depend on the triangulation.
-    double roughDecrement = 5e-3;
-    double roundDecrement = 1e-4, restDecrement = 1e-4, fineDecrement = 1e-6;
+    /// Newton stops at these shares of the energy: in rounds with rough integrals; in the others,
+    /// and at rest while frozen directions still change; and at last. With more in the rounds
+    /// curves depend on the triangulation.
+    double roughDecrement = 5e-3, roundDecrement = 1e-4, fineDecrement = 1e-6;
     /// The same under a field, where Newton crawls along edges at which the field's gradient jumps:
     /// the digits beyond these cost as many iterations as all before, and move nothing. Of a weak
     /// field, powers between: the weaker it is, the nearer to those without one.
@@ -40,9 +36,9 @@ struct CellwiseConstants {
     /// enough for more digits.
     double sampledDecrement = 1e-3;
     int sampledRestIterations = 30;
-    /// The line search gives up below this share of a step; rough energies have kinks, at which it
-    /// stalls: less than half a step is not worth it.
-    double leastStep = 1e-10, leastRoughStep = 0.3;
+    /// The line search gives up below this share of a step where energies are rough: they have
+    /// kinks, at which it stalls, and less than half a step is not worth it.
+    double leastRoughStep = 0.3;
     /// Spans that are integrated, in all evaluations together: so many, and for each pick. Of
     /// usable curves on meshes that people have, half take a thousandth of them, the slowest one
     /// half.
@@ -66,7 +62,6 @@ double decrementUnderField(const CurveProblem& problem, double without, double w
 
 SolvePolicy policyFor(const CurveProblem& problem) {
     SolvePolicy policy;
-    policy.schedule.mostFactor = kCellwise.mostAlphaFactor;
     // In thin shells, steps by what is needed make curves depend more on the triangulation.
     policy.schedule.isGentle = !problem.shell->isFullResolution();
     policy.newton = cellwiseNewton();
@@ -75,13 +70,12 @@ SolvePolicy policyFor(const CurveProblem& problem) {
     policy.rough.decrement = kCellwise.roughDecrement;
     policy.round.decrement =
         decrementUnderField(problem, kCellwise.roundDecrement, kCellwise.fieldRoundDecrement);
-    policy.rest.decrement = kCellwise.restDecrement;
+    policy.rest.decrement = kCellwise.roundDecrement;
     for (NewtonGoal* const goal : {&policy.rough, &policy.round, &policy.rest}) {
         goal->mostIterations = problem.options.maxIterations;
-        goal->leastStep = kCellwise.leastStep;
     }
     policy.rough.leastStep = kCellwise.leastRoughStep;
-    policy.idleDecrement = kCellwise.restDecrement;
+    policy.idleDecrement = kCellwise.roundDecrement;
     policy.fineDecrement =
         decrementUnderField(problem, kCellwise.fineDecrement, kCellwise.fieldFineDecrement);
     if (hasPull(problem)) {
@@ -101,7 +95,7 @@ EnergyWeights firstWeights(const CurveProblem& problem, Energy& energy) {
     EnergyWeights weights;
     weights.alpha = kCellwise.firstAlpha;
     weights.avoidance = kCellwise.avoidance;
-    PaperSettings(problem).adjustFirst(energy, energy.trace().largestHeight, weights);
+    variantOf(problem).rounds(problem)->adjustFirst(energy, energy.trace().largestHeight, weights);
     if (problem.options.distanceWeight == DistanceWeight::Adaptive) {
         return weights;
     }

@@ -18,6 +18,7 @@ class Obstacles;
 class PatchLevels;
 class Shell;
 class ShellBoundary;
+class SolveVariant;
 class WorkerThread;
 
 /// One curve to solve for: the shell, the picks, the field; all in the shell's frame. Refers to the
@@ -37,11 +38,12 @@ struct CurveProblem {
     FieldCosts fieldCosts;          ///< of `field`, as the options say
     FairedShape faired;             ///< for solveSampled() alone; empty: none
     SolverOptions options;
-    double chordLength = 0.0;        ///< L of (4)
-    double averageEdgeLength = 0.0;  ///< in the shell's frame
-    double distanceTolerance = 0.0;  ///< epsilon of (3), in the shell's frame
-    bool keepsKnots = false;         ///< those that the curve does not need stay in
-    WorkerThread* side = nullptr;    ///< to share work with; null: none
+    double chordLength = 0.0;               ///< L of (4)
+    double averageEdgeLength = 0.0;         ///< in the shell's frame
+    double distanceTolerance = 0.0;         ///< epsilon of (3), in the shell's frame
+    const SolveVariant* variant = nullptr;  ///< other ways of some steps; null: none
+    bool keepsKnots = false;                ///< those that the curve does not need stay in
+    WorkerThread* side = nullptr;           ///< to share work with; null: none
     Progress progress;
 };
 

@@ -3,8 +3,8 @@
 
 #include "shell/polynomial_trace.h"
 #include "solver/obstacles.h"
-#include "solver/paper/control_polygon.h"
 #include "solver/shell_reach.h"
+#include "solver/solve_variant.h"
 #include "solver/spline_fit.h"
 
 #include <algorithm>
@@ -156,9 +156,7 @@ Vec3 InitialPath::positionAt(double t) const {
 std::optional<SplineCurve> makeFirstCurve(
     const CurveProblem& problem, const InitialPath& initialPath
 ) {
-    return problem.options.initialCurve == InitialCurve::GeodesicFit
-               ? fitInitialPath(problem, initialPath)
-               : makeControlPolygon(problem);
+    return variantOf(problem).firstCurve(problem, initialPath);
 }
 
 SplineCurve fitLoosely(

@@ -2,9 +2,9 @@
 #include "solver/internal_energy.h"
 
 #include "projection/cell_tracer.h"
-#include "solver/paper/finite_differences.h"
-#include "solver/paper/sample_walker.h"
 #include "solver/problem_traces.h"
+#include "solver/sample_walker.h"
+#include "solver/solve_variant.h"
 #include "spline/gauss_rule.h"
 
 #include <algorithm>
@@ -137,18 +137,14 @@ InternalEnergy::InternalEnergy(
 )
     : problem_(problem), space_(space) {
     const int n = space.basisCount();
-    std::vector<SplineSpace::BasisMatrix> differences;
-    if (rule.isOfCurve) {
-        differences = differenceProducts(problem, space, rule);
-    }
+    const std::vector<SplineSpace::BasisMatrix> products =
+        variantOf(problem).bendingProducts(problem, space, rule);
     ambient_.assign(space.spanCount(), SpanMatrix::Zero(3 * n, 3 * n));
     for (int span = 0; span < space.spanCount(); ++span) {
-        const SplineSpace::BasisMatrix products =
-            rule.isOfCurve ? differences[span] : ambientProducts(problem, space, span);
         for (int j1 = 0; j1 < n; ++j1) {
             for (int j2 = 0; j2 < n; ++j2) {
                 for (int axis = 0; axis < 3; ++axis) {
-                    ambient_[span](3 * j1 + axis, 3 * j2 + axis) = products(j1, j2);
+                    ambient_[span](3 * j1 + axis, 3 * j2 + axis) = products[span](j1, j2);
                 }
             }
         }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/knot_removal.h"
 
+#include "solver/spline_fit.h"
 #include "spline/constrained_fit.h"
 
 #include <Eigen/Geometry>
@@ -19,8 +20,6 @@ struct RemovalConstants {
     /// Of squared second derivatives in the fit, relative to squared distances, in units of a mean
     /// span to the fourth. With a tenth of it the noise of positions keeps a tenth more knots.
     double secondsWeight = 0.1;
-    /// Of squared distances from the picks in the fit; multipliers do the rest.
-    double pickWeight = 1e4;
     /// A fit misses the picks by less, in the unit frame; by more where too few control points are
     /// left for them.
     double pickAccuracy = 1e-9;
@@ -132,14 +131,14 @@ std::optional<KnotRemoval::Fit> KnotRemoval::fitOn(std::vector<int> kept, const 
     ControlPoints right = ControlPoints::Zero(fit.space.controlCount(), 3);
     sumSamples(fit, like);
     addSums(fit, right);
-    addProducts(fit.factor, fit.space, picks, kRemoval.pickWeight);
+    addProducts(fit.factor, fit.space, picks, kFitConstraintWeight);
     if (!fit.factor.factorise()) {
         return std::nullopt;
     }
     if (fit.kept.size() == before.breaks().size()) {
         fit.controls = curve_.controls;
     } else {
-        fit.controls = constrainedFit(fit.factor, picks, right, kRemoval.pickWeight);
+        fit.controls = constrainedFit(fit.factor, picks, right, kFitConstraintWeight);
     }
     if (!(picks.residual(fit.controls).lpNorm<Eigen::Infinity>() < kRemoval.pickAccuracy)) {
         return std::nullopt;

@@ -14,8 +14,6 @@ namespace {
 constexpr double kDeepestBulge = 0.75;
 // A point of an edge keeps at least this share of the clearance that the edge has at most.
 constexpr double kKeptShare = 0.5;
-// What J costs a path: this much of J / (1 - J).
-constexpr double kPathWeight = 1.0;
 
 }  // namespace
 
@@ -69,12 +67,11 @@ double Obstacles::closeness(const SurfacePoint& point) const {
     if (isAvoided(point.face)) {
         return 1.0;
     }
-    const Triangle& corners = extended_.faces[point.face];
-    const Bulges bulges = bulgesOf(point.face);
+    const FaceCloseness face = onFace(point.face);
     double sum = 0.0;
     for (int k = 0; k < 3; ++k) {
-        sum += point.barycentric[k] * values_[corners[k]] +
-               bulges[k] * point.barycentric[(k + 1) % 3] * point.barycentric[(k + 2) % 3];
+        sum += point.barycentric[k] * face.corners[k] +
+               face.bulges[k] * point.barycentric[(k + 1) % 3] * point.barycentric[(k + 2) % 3];
     }
     return sum;
 }
@@ -128,49 +125,20 @@ double Obstacles::pathCost(int face) const {
         sum += closeness({face, middle}) / 3.0;
     }
     // A face with one free edge has a mean below 1 all the same.
-    return 1.0 + kPathWeight * sum / (1.0 - std::min(sum, 1.0 - 1e-9));
+    return 1.0 + sum / (1.0 - std::min(sum, 1.0 - 1e-9));
 }
 
-ClosenessForm::ClosenessForm(
-    const Obstacles& obstacles, const ExtendedSurface& extended, const ShellCell& cell
-)
-    : hasBulges_(obstacles.kindOf(cell.face) == Obstacles::Kind::Bulging) {
-    const Triangle& corners = extended.faces[cell.face];
+Obstacles::FaceCloseness Obstacles::onFace(int face) const {
+    FaceCloseness result;
+    const Triangle& corners = extended_.faces[face];
     for (std::size_t k = 0; k < 3; ++k) {
-        affine_ += obstacles.values_[corners[k]] * cell.shadowForm(k);
+        result.corners[k] = values_[corners[k]];
     }
-    if (hasBulges_) {
-        bulges_ = obstacles.bulgesOf(cell.face);
-        shadow_ = {cell.shadowForm(0), cell.shadowForm(1), cell.shadowForm(2)};
+    result.isBulging = kindOf(face) == Kind::Bulging;
+    if (result.isBulging) {
+        result.bulges = bulgesOf(face);
     }
-}
-
-double ClosenessForm::at(const Vec3& p) const {
-    double sum = affine_.at(p);
-    if (hasBulges_) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            sum += bulges_[k] * shadow_[(k + 1) % 3].at(p) * shadow_[(k + 2) % 3].at(p);
-        }
-    }
-    return sum;
-}
-
-Vec3 ClosenessForm::gradient(const Vec3& p) const {
-    Vec3 sum = affine_.gradient;
-    if (hasBulges_) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            const AffineForm& a = shadow_[(k + 1) % 3];
-            const AffineForm& b = shadow_[(k + 2) % 3];
-            sum += bulges_[k] * (a.at(p) * b.gradient + b.at(p) * a.gradient);
-        }
-    }
-    return sum;
-}
-
-ClosenessForm::Bulge ClosenessForm::bulge(std::size_t k) const {
-    const Vec3& a = shadow_[(k + 1) % 3].gradient;
-    const Vec3& b = shadow_[(k + 2) % 3].gradient;
-    return {0.5 * bulges_[k], a + b, a - b};
+    return result;
 }
 
 }  // namespace bspline_curve

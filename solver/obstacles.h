@@ -2,9 +2,7 @@
 #pragma once
 
 #include "bspline_curve/mesh.h"
-#include "shell/affine_form.h"
 #include "shell/extended_surface.h"
-#include "shell/shell_cell.h"
 
 #include <array>
 #include <unordered_map>
@@ -42,12 +40,18 @@ public:
     /// where J is 0, infinite in the region.
     [[nodiscard]] double pathCost(int face) const;
 
-private:
-    friend class ClosenessForm;
+    /// J in a face: the sum of corners[k] lambda_k and of bulges[k] lambda_(k + 1) lambda_(k + 2).
+    struct FaceCloseness {
+        std::array<double, 3> corners{};
+        std::array<double, 3> bulges{};  ///< at most 0
+        bool isBulging = false;          ///< whether there are any
+    };
 
+    [[nodiscard]] FaceCloseness onFace(int face) const;
+
+private:
     enum class Kind : signed char { Far, Affine, Bulging, Avoided };
 
-    // J is the sum of J_v lambda_v and of bulge[k] lambda_(k + 1) lambda_(k + 2).
     using Bulges = std::array<double, 3>;
 
     [[nodiscard]] Kind kindOf(int face) const { return kinds_[face]; }
@@ -61,35 +65,6 @@ private:
     std::vector<double> values_;  // J at each vertex of the extended surface
     std::vector<Kind> kinds_;     // of each face of the extended surface
     std::unordered_map<int, Bulges> bulges_;
-};
-
-/// J at the shadow of a point of one cell.
-class ClosenessForm {
-public:
-    ClosenessForm() = default;
-    ClosenessForm(
-        const Obstacles& obstacles, const ExtendedSurface& extended, const ShellCell& cell
-    );
-
-    [[nodiscard]] double at(const Vec3& p) const;
-    [[nodiscard]] Vec3 gradient(const Vec3& p) const;
-
-    /// The second derivative is the sum of curvature (plus plus^T - minus minus^T) over the bulges.
-    struct Bulge {
-        double curvature;
-        Vec3 plus, minus;
-    };
-
-    /// The bulge of edge k, opposite to corner k; its curvature is 0 where the edge has none.
-    [[nodiscard]] Bulge bulge(std::size_t k) const;
-
-    [[nodiscard]] bool isAffine() const { return !hasBulges_; }
-
-private:
-    AffineForm affine_;
-    bool hasBulges_ = false;
-    std::array<double, 3> bulges_{};
-    std::array<AffineForm, 3> shadow_;
 };
 
 }  // namespace bspline_curve

@@ -124,6 +124,12 @@ void SolverOptions::validate() const {
         "finite and not negative"
     );
     require(
+        pickDistance >= 0.0 && std::isfinite(pickDistance),
+        "pick distance",
+        pickDistance,
+        "finite and not negative"
+    );
+    require(
         avoidMargin > 0.0 && avoidMargin <= 1.0,
         "avoid margin",
         avoidMargin,

@@ -27,19 +27,12 @@ struct SampledEnergyConstants {
     /// Of quadratic splines, whose bending falls with the square of the span alone: with 0.01 they
     /// have three times the knots for the same curve.
     double negligibleQuadraticGain = 0.03;
-    /// A curve whose energy, which is dimensionless, is less is a segment, but for roundings.
-    double straightEnergy = 1e-12;
     /// Without needless knots samples may be so far away, in tolerances: less keeps a tenth more
     /// knots, with more curves leave the tolerance between samples.
     double heightWithFewer = 0.85;
-    /// And so far from where they were: with twice as much a hundredth fewer knots, but circles are
-    /// less round.
-    double wayWithFewer = 1.0;
     /// And the curve may bend by this share more than before, and than one whose length times the
     /// integral of squared curvature is the floor: what bends less looks straight.
     double bendingWithFewer = 0.01, bendingFloor = 1.0;
-    /// So many spans at once are asked by one of two threads: for some microseconds.
-    int spansAtOnce = 16;
 };
 
 constexpr SampledEnergyConstants kSampledEnergy;
@@ -84,12 +77,8 @@ void SampledEnergy::setControls(const ControlPoints& controls) {
 }
 
 EnergyValue SampledEnergy::valueOf(const EnergyTerms& terms) const {
-    return {
-        true,
-        integrals_->total(terms, weights_.alpha),
-        integrals_->scale(terms, weights_.alpha),
-        terms
-    };
+    const double total = integrals_->total(terms, weights_);
+    return {std::isfinite(total), total, integrals_->scale(terms, weights_), terms};
 }
 
 EnergyValue SampledEnergy::differentiate() {
@@ -103,7 +92,7 @@ EnergyValue SampledEnergy::differentiate() {
 void SampledEnergy::differentiateWith(double negativeShare) {
     negativeShare_ = negativeShare;
     terms_ = integrals_->differentiate(
-        now_, weights_.alpha, negativeShare, derivatives_.gradient, derivatives_.hessian
+        now_, weights_, negativeShare, derivatives_.gradient, derivatives_.hessian
     );
     integrals_->addDamping(damping_, derivatives_.hessian);
 }
@@ -119,12 +108,12 @@ EnergyValue SampledEnergy::tryStep(const Eigen::VectorXd& step, double length) {
     trial_ = now_;
     Eigen::Map<Eigen::VectorXd>(trial_.controls.data(), trial_.controls.size()) += length * step;
     facesSeen_ += integrals_->follow(projector_, trial_);
-    return valueOf(integrals_->terms(trial_, now_.frames));
+    return valueOf(integrals_->terms(trial_, now_.frames, weights_));
 }
 
 bool SampledEnergy::dampModelErrors() {
     const std::vector<SampledIntegrals::ModelError> modelErrors =
-        integrals_->modelErrors(now_, trial_, weights_.alpha);
+        integrals_->modelErrors(now_, trial_, weights_);
     double all = 0.0;
     for (const SampledIntegrals::ModelError& modelError : modelErrors) {
         all += std::max(0.0, modelError.energy);
@@ -194,7 +183,7 @@ std::optional<TracedSpline> SampledEnergy::withFewerKnots() {
         problem_.picks,
         integrals_->seen(now_),
         {kSampledEnergy.heightWithFewer * tolerance,
-         kSampledEnergy.wayWithFewer * tolerance,
+         tolerance,  // with twice as much a hundredth fewer knots, but circles are less round
          kSampledEnergy.bendingWithFewer,
          kSampledEnergy.bendingFloor}
     );
@@ -217,14 +206,14 @@ std::optional<TracedSpline> SampledEnergy::withFewerKnots() {
 KnotDemand SampledEnergy::refinementGain() {
     KnotDemand gain;
     gain.perSpan.resize(space().spanCount());
-    forEach(problem_.side, space().spanCount(), kSampledEnergy.spansAtOnce, [&](int span) {
-        gain.perSpan[span] = integrals_->refinementGain(now_, weights_.alpha, span);
+    forEach(problem_.side, space().spanCount(), kSpansAtOnce, [&](int span) {
+        gain.perSpan[span] = integrals_->refinementGain(now_, weights_, span);
     });
     gain.total = std::accumulate(gain.perSpan.begin(), gain.perSpan.end(), 0.0);
-    const double scale = valueOf(integrals_->terms(now_, now_.frames)).scale;
+    const double scale = valueOf(integrals_->terms(now_, now_.frames, weights_)).scale;
     const double negligible = space().degree() > 2 ? kSampledEnergy.negligibleGain
                                                    : kSampledEnergy.negligibleQuadraticGain;
-    gain.isNegligible = gain.total < negligible * std::max(scale, kSampledEnergy.straightEnergy);
+    gain.isNegligible = gain.total < negligible * scale;
     return gain;
 }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/sampled_integrals.h"
 
-#include "solver/field_cost.h"
+#include "solver/energy_terms.h"
 #include "solver/internal_energy.h"
+#include "solver/term_takers.h"
 #include "spline/gauss_rule.h"
 #include "utility/worker_thread.h"
 
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace bspline_curve {
@@ -113,6 +115,13 @@ inline Vec3 gapTo(const HeldPoints::Point& point, const SpanControls& controls, 
     return gap;
 }
 
+// A sample on a pole has infinite energy.
+inline void barUnless(bool isInside, EnergyTerms& terms) {
+    if (!isInside) {
+        terms.internal = std::numeric_limits<double>::infinity();
+    }
+}
+
 }  // namespace
 
 SampledIntegrals::SampledIntegrals(
@@ -122,7 +131,6 @@ SampledIntegrals::SampledIntegrals(
       space_(space),
       heightUnit_(heightUnit),
       segments_(segments),
-      fieldWeight_(bspline_curve::fieldWeight(problem)),
       faired_(space.spanCount()),
       held_(problem.faired, space) {
     const double normalShare = problem.options.bending == Bending::Geodesic
@@ -179,43 +187,25 @@ void SampledIntegrals::setFairedShape(double bending) {
     }
 }
 
-double SampledIntegrals::fieldAt(const FootPoint& foot) const {
-    const Triangle& face = problem_.extended->faces[foot.face];
-    const Vec3 barycentric = foot.barycentric();
-    return barycentric[0] * problem_.field[face[0]] + barycentric[1] * problem_.field[face[1]] +
-           barycentric[2] * problem_.field[face[2]];
-}
-
-Vec3 SampledIntegrals::fieldGradient(const FootPoint& foot, const FootFrame& frame) const {
-    const Triangle& face = problem_.extended->faces[foot.face];
-    const double corner = problem_.field[face[0]];
-    return (problem_.field[face[1]] - corner) * frame.u +
-           (problem_.field[face[2]] - corner) * frame.v;
-}
-
-// How far a foot lies beyond the boundary in a ghost face: 0 at the boundary, 1 at the outer rim.
-double SampledIntegrals::beyond(const FootPoint& foot) const {
-    const Triangle& face = problem_.extended->faces[foot.face];
-    const Vec3 barycentric = foot.barycentric();
-    double sum = 0.0;
-    for (int corner = 0; corner < 3; ++corner) {
-        if (face[corner] >= problem_.extended->surfaceVertexCount) {
-            sum += barycentric[corner];
-        }
-    }
-    return sum;
-}
-
-Vec3 SampledIntegrals::beyondGradient(const FootPoint& foot, const FootFrame& frame) const {
-    const Triangle& face = problem_.extended->faces[foot.face];
-    const auto isGhost = [&](std::size_t corner) {
-        return face[corner] >= problem_.extended->surfaceVertexCount ? 1.0 : 0.0;
-    };
-    return (isGhost(1) - isGhost(0)) * frame.u + (isGhost(2) - isGhost(0)) * frame.v;
+template <class Take>
+bool SampledIntegrals::take(
+    const FootedSpline& spline,
+    const EnergyWeights& weights,
+    double turning,
+    int sample,
+    const Take& take
+) const {
+    const FootPoint& foot = spline.feet[sample];
+    return PointTerms::add(
+        FootGround{problem_, weights, heightUnit_, foot.face},
+        FootSample{foot, spline.frames[sample], turning},
+        samples_[sample].weight,
+        take
+    );
 }
 
 EnergyTerms SampledIntegrals::terms(
-    const FootedSpline& spline, const std::vector<FootFrame>& frozen
+    const FootedSpline& spline, const std::vector<FootFrame>& frozen, const EnergyWeights& weights
 ) const {
     // In the order of differentiate(), so that both agree to the last digit.
     std::vector<EnergyTerms> shares(space_.spanCount());
@@ -224,15 +214,9 @@ EnergyTerms SampledIntegrals::terms(
         EnergyTerms& sum = shares[span];
         for (int sample = span * samplesPerSpan(); sample < (span + 1) * samplesPerSpan();
              ++sample) {
-            const Sample& table = samples_[sample];
-            const FootPoint& foot = spline.feet[sample];
-            sum.distance += distanceTerm(foot, table.weight);
-            if (hasField()) {
-                sum.external +=
-                    table.weight * fieldCost(problem_.options.fieldCost, fieldAt(foot)).value;
-            }
+            barUnless(take(spline, weights, 0.0, sample, TakeValue{sum}), sum);
             const double along = frozen[sample].direction.dot(spline.seconds[sample]);
-            sum.internal += 0.5 * table.normalBending * along * along;
+            sum.internal += 0.5 * samples_[sample].normalBending * along * along;
         }
         const SpanControls controls = controlsOf(space_, spline.controls, span);
         sum.internal += faired_[span].energy;
@@ -247,54 +231,29 @@ EnergyTerms SampledIntegrals::terms(
     return std::accumulate(shares.begin(), shares.end(), EnergyTerms());
 }
 
-double SampledIntegrals::distanceTerm(const FootPoint& foot, double weight) const {
-    double term = weight / (heightUnit_ * heightUnit_) * foot.height * foot.height;
-    if (foot.face >= problem_.extended->surfaceFaceCount) {
-        const double outside = beyond(foot);
-        term += weight * outside * outside;
-    }
-    return term;
+double SampledIntegrals::total(const EnergyTerms& terms, const EnergyWeights& weights) const {
+    return PointTerms::sum(terms, problem_, weights);
 }
 
-double SampledIntegrals::total(const EnergyTerms& terms, double alpha) const {
-    return terms.internal + alpha * terms.distance + fieldWeight_ * terms.external;
-}
-
-double SampledIntegrals::scale(const EnergyTerms& terms, double alpha) const {
-    const double aboveLeast = fieldWeight_ * (terms.external - problem_.fieldCosts.least);
-    return kRoundingEnergy + problem_.faired.energy + terms.internal + alpha * terms.distance +
-           (hasField() ? kFieldShare * std::abs(aboveLeast) : 0.0);
+double SampledIntegrals::scale(const EnergyTerms& terms, const EnergyWeights& weights) const {
+    return PointTerms::scale(terms, problem_, weights, kRoundingEnergy + problem_.faired.energy);
 }
 
 PointDerivatives SampledIntegrals::pointDerivatives(
-    const FootedSpline& spline, double alpha, double turning, int sample, EnergyTerms& terms
+    const FootedSpline& spline,
+    const EnergyWeights& weights,
+    double turning,
+    int sample,
+    EnergyTerms& terms
 ) const {
-    const FootPoint& foot = spline.feet[sample];
-    const FootFrame& frame = spline.frames[sample];
-    const double weight = samples_[sample].weight;
-    const double stiffness = 2.0 * alpha * weight / (heightUnit_ * heightUnit_);
-    PointDerivatives point = heightDerivatives(foot, frame, stiffness, turning);
-    terms.distance += distanceTerm(foot, weight);
-    if (foot.face >= problem_.extended->surfaceFaceCount) {
-        const Vec3 gradient = beyondGradient(foot, frame);
-        const double twice = 2.0 * alpha * weight;
-        point.force += twice * beyond(foot) * gradient;
-        point.addRankOne(gradient, twice);
-    }
-    if (hasField()) {
-        const FieldCostValue cost = fieldCost(problem_.options.fieldCost, fieldAt(foot));
-        const Vec3 gradient = fieldGradient(foot, frame);
-        const double pull = fieldWeight_ * weight;
-        point.force += pull * cost.slope * gradient;
-        point.addRankOne(gradient, pull * std::max(0.0, cost.curvature));
-        terms.external += weight * cost.value;
-    }
+    PointDerivatives point;
+    barUnless(take(spline, weights, turning, sample, TakeDerivatives{terms, point}), terms);
     return point;
 }
 
 EnergyTerms SampledIntegrals::differentiate(
     const FootedSpline& spline,
-    double alpha,
+    const EnergyWeights& weights,
     double turning,
     Eigen::VectorXd& gradient,
     std::vector<SpanBlocks>& hessian
@@ -302,7 +261,7 @@ EnergyTerms SampledIntegrals::differentiate(
     hessian.resize(space_.spanCount());
     std::vector<SpanForces> shares(space_.spanCount());
     forEach(problem_.side, space_.spanCount(), kSpansAtOnce, [&](int span) {
-        shares[span] = differentiateSpan(spline, alpha, turning, span, hessian[span]);
+        shares[span] = differentiateSpan(spline, weights, turning, span, hessian[span]);
     });
     gradient = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(space_.controlCount()));
     EnergyTerms terms;
@@ -318,7 +277,11 @@ EnergyTerms SampledIntegrals::differentiate(
 }
 
 SampledIntegrals::SpanForces SampledIntegrals::differentiateSpan(
-    const FootedSpline& spline, double alpha, double turning, int span, SpanBlocks& blocks
+    const FootedSpline& spline,
+    const EnergyWeights& weights,
+    double turning,
+    int span,
+    SpanBlocks& blocks
 ) const {
     const int n = space_.basisCount();
     const int perSpan = samplesPerSpan();
@@ -332,7 +295,7 @@ SampledIntegrals::SpanForces SampledIntegrals::differentiateSpan(
     for (int i = 0; i < perSpan; ++i) {
         const int sample = span * perSpan + i;
         const Vec3& direction = spline.frames[sample].direction;
-        const PointDerivatives point = pointDerivatives(spline, alpha, turning, sample, terms);
+        const PointDerivatives point = pointDerivatives(spline, weights, turning, sample, terms);
         forces[i] = point.force;
         seconds[i] = packed(point.second);
         bends[i] = packed(rankOne(direction, tables[i].normalBending));
@@ -380,18 +343,24 @@ SampledIntegrals::SpanForces SampledIntegrals::differentiateSpan(
 }
 
 std::vector<SampledIntegrals::ModelError> SampledIntegrals::modelErrors(
-    const FootedSpline& before, const FootedSpline& spline, double alpha
+    const FootedSpline& before, const FootedSpline& spline, const EnergyWeights& weights
 ) const {
     // All but the distance is quadratic, and of that the model leaves out how directions turn.
     std::vector<ModelError> result(space_.spanCount());
     for (int sample = 0; sample < sampleCount(); ++sample) {
         const double weight = samples_[sample].weight;
+        const auto distanceOf = [&](const FootPoint& foot) {
+            EnergyTerms terms;
+            const FootGround ground{problem_, weights, heightUnit_, foot.face};
+            const FootSample at{foot, before.frames[sample], 0.0};
+            (void)DistanceTerm<FootGround>(ground).add(at, weight, TakeValue{terms});
+            return terms.distance;
+        };
         const Vec3 moved = spline.positions[sample] - before.positions[sample];
         FootPoint foreseen = before.feet[sample];
         FibreProjector::predict(moved, before.frames[sample], foreseen);
         ModelError& span = result[sample / samplesPerSpan()];
-        span.energy +=
-            alpha * (distanceTerm(spline.feet[sample], weight) - distanceTerm(foreseen, weight));
+        span.energy += weights.alpha * (distanceOf(spline.feet[sample]) - distanceOf(foreseen));
         span.squaredWay += weight * moved.squaredNorm();
     }
     return result;
@@ -420,13 +389,16 @@ void SampledIntegrals::addDamping(
     }
 }
 
-double SampledIntegrals::refinementGain(const FootedSpline& spline, double alpha, int span) const {
+double SampledIntegrals::refinementGain(
+    const FootedSpline& spline, const EnergyWeights& weights, int span
+) const {
     if (space_.degree() > 2) {
         Bulge bulge;
-        addBulge(spline, alpha, span, kBubble, bulge);
+        addBulge(spline, weights, span, kBubble, bulge);
         return gainOf(bulge);
     }
-    return kSharedGain * (gainAtBreak(spline, alpha, span) + gainAtBreak(spline, alpha, span + 1));
+    return kSharedGain *
+           (gainAtBreak(spline, weights, span) + gainAtBreak(spline, weights, span + 1));
 }
 
 double SampledIntegrals::gainOf(const Bulge& bulge) {
@@ -434,20 +406,26 @@ double SampledIntegrals::gainOf(const Bulge& bulge) {
     return std::max(0.0, 0.5 * bulge.force.dot(step));
 }
 
-double SampledIntegrals::gainAtBreak(const FootedSpline& spline, double alpha, int atBreak) const {
+double SampledIntegrals::gainAtBreak(
+    const FootedSpline& spline, const EnergyWeights& weights, int atBreak
+) const {
     const int spans = space_.spanCount();
     Bulge bulge;
     if (atBreak > 0 || space_.closed()) {
-        addBulge(spline, alpha, (atBreak + spans - 1) % spans, kHatBefore, bulge);
+        addBulge(spline, weights, (atBreak + spans - 1) % spans, kHatBefore, bulge);
     }
     if (atBreak < spans || space_.closed()) {
-        addBulge(spline, alpha, atBreak % spans, kHatAfter, bulge);
+        addBulge(spline, weights, atBreak % spans, kHatAfter, bulge);
     }
     return gainOf(bulge);
 }
 
 void SampledIntegrals::addBulge(
-    const FootedSpline& spline, double alpha, int span, const BulgeShape& shape, Bulge& bulge
+    const FootedSpline& spline,
+    const EnergyWeights& weights,
+    int span,
+    const BulgeShape& shape,
+    Bulge& bulge
 ) const {
     const double length = space_.spanLength(span);
     const double size = shape.isOfSlope ? length : 1.0;
@@ -465,7 +443,7 @@ void SampledIntegrals::addBulge(
         const BulgeValue at = shape.at(sampleParameter(i, segments_));
         const double value = size * at.value;
         const double second = size * at.second / (length * length);
-        const PointDerivatives point = pointDerivatives(spline, alpha, 0.0, sample, unused);
+        const PointDerivatives point = pointDerivatives(spline, weights, 0.0, sample, unused);
         const Vec3& direction = spline.frames[sample].direction;
         const Vec3& bending = spline.seconds[sample];
         bulge.force += value * point.force +

@@ -5,6 +5,7 @@
 #include "projection/fibre_projector.h"
 #include "solver/curve_problem.h"
 #include "solver/energy_derivatives.h"
+#include "solver/energy_weights.h"
 #include "solver/faired_shape.h"
 #include "solver/knot_removal.h"
 
@@ -26,20 +27,6 @@ struct FootedSpline {
     std::vector<FootFrame> frames;
     std::vector<Vec3> positions, seconds;
 };
-
-/// First and second derivative of stiffness / 2 height^2 by the position of a sample. `turning`:
-/// share of what the height's own second derivative adds, the change of n along the surface.
-[[nodiscard]] inline PointDerivatives heightDerivatives(
-    const FootPoint& foot, const FootFrame& frame, double stiffness, double turning
-) {
-    const double force = stiffness * foot.height;
-    PointDerivatives point;
-    point.force = force * frame.height;
-    point.addRankOne(frame.height, stiffness);
-    point.addProduct(frame.turnU, frame.u, 0.5 * turning * force);
-    point.addProduct(frame.turnV, frame.v, 0.5 * turning * force);
-    return point;
-}
 
 struct BulgeShape;
 
@@ -68,8 +55,6 @@ public:
         int segments = kUsualSegments
     );
 
-    [[nodiscard]] bool hasField() const { return fieldWeight_ > 0.0; }
-
     [[nodiscard]] int samplesPerSpan() const { return 2 * segments_; }
 
     [[nodiscard]] int sampleCount() const { return space_.spanCount() * samplesPerSpan(); }
@@ -91,21 +76,23 @@ public:
     ) const;
 
     /// The terms at a spline; bending along the directions of `frozen` (one frame per sample) does
-    /// not count.
+    /// not count. E_int is infinite where a sample is on a pole.
     [[nodiscard]] EnergyTerms terms(
-        const FootedSpline& spline, const std::vector<FootFrame>& frozen
+        const FootedSpline& spline,
+        const std::vector<FootFrame>& frozen,
+        const EnergyWeights& weights
     ) const;
 
     /// The weighted sum of the terms; and what changes of it are measured against, which leaves
     /// most of the field's least cost out.
-    [[nodiscard]] double total(const EnergyTerms& terms, double alpha) const;
-    [[nodiscard]] double scale(const EnergyTerms& terms, double alpha) const;
+    [[nodiscard]] double total(const EnergyTerms& terms, const EnergyWeights& weights) const;
+    [[nodiscard]] double scale(const EnergyTerms& terms, const EnergyWeights& weights) const;
 
     /// Gradient and Hessian with the spline's own directions frozen; returns the terms there.
     /// `turning`: share of the surface's bending in the Hessian, which can make it indefinite.
     EnergyTerms differentiate(
         const FootedSpline& spline,
-        double alpha,
+        const EnergyWeights& weights,
         double turning,
         Eigen::VectorXd& gradient,
         std::vector<SpanBlocks>& hessian
@@ -121,7 +108,7 @@ public:
     /// By span and without a field, where `spline` has moved from `before`, at which the model was
     /// made.
     [[nodiscard]] std::vector<ModelError> modelErrors(
-        const FootedSpline& before, const FootedSpline& spline, double alpha
+        const FootedSpline& before, const FootedSpline& spline, const EnergyWeights& weights
     ) const;
 
     /// Adds the Hessian of damping[span] times the integral over t of the squared way of the span's
@@ -133,7 +120,9 @@ public:
     /// a finer one nearly have. Bending does not see bubbles of quadratic splines: they bend by
     /// jumps at their breaks. There it is half of what the bulges at both ends of the span gain,
     /// each of which is a quadratic spline on the halves of the two spans at a break.
-    [[nodiscard]] double refinementGain(const FootedSpline& spline, double alpha, int span) const;
+    [[nodiscard]] double refinementGain(
+        const FootedSpline& spline, const EnergyWeights& weights, int span
+    ) const;
 
     [[nodiscard]] double largestHeight(const FootedSpline& spline) const;
 
@@ -146,7 +135,6 @@ private:
         const FibreProjector& finder, bool isKnown, std::span<const int> spans, FootedSpline& spline
     ) const;
     void placeSpan(bool isKnown, int span, FootedSpline& spline) const;
-    [[nodiscard]] double distanceTerm(const FootPoint& foot, double weight) const;
 
     // Of one span: its terms, and the gradient by its control points.
     struct SpanForces {
@@ -155,7 +143,11 @@ private:
     };
 
     [[nodiscard]] SpanForces differentiateSpan(
-        const FootedSpline& spline, double alpha, double turning, int span, SpanBlocks& blocks
+        const FootedSpline& spline,
+        const EnergyWeights& weights,
+        double turning,
+        int span,
+        SpanBlocks& blocks
     ) const;
 
     // One Newton step of a spline that may bulge on some spans; `shape`: how, on this one.
@@ -165,18 +157,33 @@ private:
     };
 
     void addBulge(
-        const FootedSpline& spline, double alpha, int span, const BulgeShape& shape, Bulge& bulge
+        const FootedSpline& spline,
+        const EnergyWeights& weights,
+        int span,
+        const BulgeShape& shape,
+        Bulge& bulge
     ) const;
     [[nodiscard]] static double gainOf(const Bulge& bulge);
-    [[nodiscard]] double gainAtBreak(const FootedSpline& spline, double alpha, int atBreak) const;
-    // What E_dist and E_ext say at a sample, by the position; adds to these terms.
-    [[nodiscard]] PointDerivatives pointDerivatives(
-        const FootedSpline& spline, double alpha, double turning, int sample, EnergyTerms& terms
+    [[nodiscard]] double gainAtBreak(
+        const FootedSpline& spline, const EnergyWeights& weights, int atBreak
     ) const;
-    [[nodiscard]] double fieldAt(const FootPoint& foot) const;
-    [[nodiscard]] Vec3 fieldGradient(const FootPoint& foot, const FootFrame& frame) const;
-    [[nodiscard]] double beyond(const FootPoint& foot) const;
-    [[nodiscard]] Vec3 beyondGradient(const FootPoint& foot, const FootFrame& frame) const;
+    // Lets PointTerms take a sample; see solver/energy_terms.h.
+    template <class Take>
+    bool take(
+        const FootedSpline& spline,
+        const EnergyWeights& weights,
+        double turning,
+        int sample,
+        const Take& take
+    ) const;
+    // What PointTerms say at a sample, by the position; adds to these terms.
+    [[nodiscard]] PointDerivatives pointDerivatives(
+        const FootedSpline& spline,
+        const EnergyWeights& weights,
+        double turning,
+        int sample,
+        EnergyTerms& terms
+    ) const;
 
     static constexpr int kMostSamples = 2 * kMostSegments;  // of a span
 
@@ -198,7 +205,6 @@ private:
     const SplineSpace& space_;
     double heightUnit_;
     int segments_;
-    double fieldWeight_;
     std::vector<Sample> samples_;
     std::vector<SplineSpace::BasisMatrix>
         ambient_;  // E_int with all bending = x^T A x / 2, by span

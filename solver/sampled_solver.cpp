@@ -4,6 +4,7 @@
 #include "solver/algorithm1.h"
 #include "solver/obstacles.h"
 #include "solver/sampled_energy.h"
+#include "solver/solve_variant.h"
 #include "utility/stopwatch.h"
 
 #include <algorithm>
@@ -40,12 +41,7 @@ double alphaOf(const CurveProblem& problem, double stiffness) {
 
 bool isForSamples(const CurveProblem& problem) {
     const SolverOptions& options = problem.options;
-    return options.quadrature == Quadrature::FootPoints &&
-           options.initialCurve == InitialCurve::GeodesicFit &&
-           options.barrierWidth == BarrierWidth::Full &&
-           options.distanceWeight == DistanceWeight::Schedule &&
-           options.interpolation == Interpolation::Constraint &&
-           options.knotRule == KnotRule::EnergyAndDistance &&
+    return options.quadrature == Quadrature::FootPoints && !needsVariant(options) &&
            options.tension <= kSampled.highestTension &&
            fieldStrength(problem) <= kSampled.strongestField;
 }

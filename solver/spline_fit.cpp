@@ -14,8 +14,6 @@ namespace {
 // Weight of the bending regulariser against the squared distance, in units of the span length to
 // the fourth.
 constexpr double kRegularisation = 1e-5;
-// Of the squared distance from the picks; multipliers do the rest.
-constexpr double kFitConstraintWeight = 1e4;
 
 using BasisMatrix = SplineSpace::BasisMatrix;
 

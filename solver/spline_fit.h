@@ -8,6 +8,9 @@
 
 namespace bspline_curve {
 
+/// Weight of squared distances from the picks in a fit; multipliers do the rest.
+inline constexpr double kFitConstraintWeight = 1e4;
+
 /// A initial path at samples of a span.
 struct SpanTarget {
     /// More than the unknowns of a span, few enough to be cheap.

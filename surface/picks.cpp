@@ -200,7 +200,11 @@ void settle(const Surface& surface, Closest& pick) {
 }  // namespace
 
 LocatedPicks locatePicks(
-    const Surface& surface, const TriangleTree& tree, const std::vector<Vec3>& picks, bool closed
+    const Surface& surface,
+    const TriangleTree& tree,
+    const std::vector<Vec3>& picks,
+    bool closed,
+    double reach
 ) {
     requireUsable(picks, closed);
     const std::size_t count = picks.size();
@@ -210,15 +214,17 @@ LocatedPicks locatePicks(
         projections.push_back(tree.closestPoint(pick));
     }
     const auto distance = [&](std::size_t i) { return std::sqrt(projections[i].squaredDistance); };
-    const double reach = kPickReachRelative * surface.diagonal();
+    const double allowed = reach > 0.0 ? reach : kPickReachRelative * surface.diagonal();
     refuseWhere(
         InputErrorCode::PickTooFar,
         count,
-        [&](std::size_t i) { return !(distance(i) <= reach); },
+        [&](std::size_t i) { return !(distance(i) <= allowed); },
         [&](std::size_t first) {
+            const std::string most =
+                reach > 0.0 ? "is allowed"
+                            : describeNumber(100.0 * kPickReachRelative) + " % of the diagonal";
             return " lies " + describeNumber(distance(first)) + " from the surface, more than " +
-                   describeNumber(100.0 * kPickReachRelative) + " % of the diagonal (" +
-                   describeNumber(reach) + ")";
+                   most + " (" + describeNumber(allowed) + ")";
         }
     );
 

@@ -29,11 +29,16 @@ struct LocatedPicks {
 
 /// Projects picked points to the surface (closest point), in order. Where connected components lie
 /// within 1e-6 diagonals of each other, to one component if all picks are as near to it.
-/// Throws InputError: TooFewPicks (fewer than 2, or 3 when closed), NonFiniteCoordinate,
+/// `reach`: picks that are farther from the surface are refused; 0: kPickReachRelative. Throws
+/// InputError: TooFewPicks (fewer than 2, or 3 when closed), NonFiniteCoordinate,
 /// PickTooFar, CoincidentPicks (so few different ones), PicksOnDifferentComponents; each names the
 /// picks by their index from 0; messages count them from 1.
 [[nodiscard]] LocatedPicks locatePicks(
-    const Surface& surface, const TriangleTree& tree, const std::vector<Vec3>& picks, bool closed
+    const Surface& surface,
+    const TriangleTree& tree,
+    const std::vector<Vec3>& picks,
+    bool closed,
+    double reach = 0.0
 );
 
 }  // namespace bspline_curve

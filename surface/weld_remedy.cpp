@@ -103,8 +103,11 @@ Remedy weldFor(
     const Progress& progress
 ) {
     std::vector<int> components;
+    std::vector<Vec3> places;  // on the surface, however far from it picks may be
     for (const Vec3& pick : picks) {
-        components.push_back(surface.faceComponents()[tree.closestPoint(pick).point.face]);
+        const TriangleTree::Closest closest = tree.closestPoint(pick);
+        components.push_back(surface.faceComponents()[closest.point.face]);
+        places.push_back(closest.position);
     }
     const BoundaryEdges boundaries(surface);
     const Progress untilCancelled = [&](double, const char* stage) {
@@ -121,7 +124,7 @@ Remedy weldFor(
         if (!mayHelp) {
             continue;
         }
-        if (helps(surface.mesh(), distance, picks, closed, untilCancelled)) {
+        if (helps(surface.mesh(), distance, places, closed, untilCancelled)) {
             return {.kind = Remedy::Kind::Weld, .distance = distance};
         }
         ++tries;

@@ -56,6 +56,14 @@ def test_rooms_include_rooms_before_them(room):
     assert wrong == []
 
 
+def test_the_solver_knows_nothing_of_the_paper():
+    """solver/paper/ plugs itself in, by solver/solve_variant.h."""
+    includes = [(path, header) for path, header in included_by("solver") if path.parts[1] != "paper"]
+    assert includes
+    wrong = [f"{path} includes {header}" for path, header in includes if "paper/" in header]
+    assert wrong == []
+
+
 @pytest.mark.parametrize("host", HOSTS)
 def test_hosts_include_public_headers_and_what_is_listed(host):
     own = {"bspline_curve", "filters", *(other.split("/")[0] for other in HOSTS)}

@@ -11,7 +11,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace bspline_curve {
 
@@ -96,17 +99,20 @@ void requireParameter(double t) {
     }
 }
 
-/// The picks between two parameters, and which vertices of the part they are.
-void keepPicks(Curve& part, const Curve& curve, double from, double to) {
+/// The picks between two parameters, and which vertices of the part they are. Returns which picks
+/// of the whole they are.
+std::vector<int> keepPicks(Curve& part, const Curve& curve, double from, double to) {
     const std::vector<double>& at = curve.spline.pickParameters;
     const bool hasVertices = curve.polyline.picks.size() == at.size();
     std::vector<double> kept;
+    std::vector<int> ids;
     for (const double turn : {0.0, 1.0}) {
-        for (const double t : at) {
-            const double on = t + turn;
+        for (std::size_t i = 0; i < at.size(); ++i) {
+            const double on = at[i] + turn;
             const bool isIn = on >= from - kOneParameter && on <= to + kOneParameter;
             if (isIn && (turn == 0.0 || curve.polyline.closed)) {
                 kept.push_back(std::clamp((on - from) / (to - from), 0.0, 1.0));
+                ids.push_back(static_cast<int>(i));
             }
         }
     }
@@ -117,9 +123,15 @@ void keepPicks(Curve& part, const Curve& curve, double from, double to) {
             std::ranges::min_element(vertices, {}, [&](double t) { return std::abs(t - kept[i]); });
         part.polyline.picks.push_back(static_cast<int>(near - vertices.begin()));
     }
+    return ids;
 }
 
-Curve partBetween(const Workpiece& workpiece, const Curve& curve, double from, double to) {
+struct Part {
+    Curve curve;
+    std::vector<int> picks;  ///< which of the whole they are
+};
+
+Part partBetween(const Workpiece& workpiece, const Curve& curve, double from, double to) {
     const RolledLine rolled(surfaceOf(workpiece), curve.polyline);
     Curve part;
     part.report.usable = curve.report.usable;
@@ -134,14 +146,35 @@ Curve partBetween(const Workpiece& workpiece, const Curve& curve, double from, d
         }
     }
     rolled.appendAt(part.polyline, to, 1.0);
-    keepPicks(part, curve, from, to);
-    return part;
+    std::vector<int> picks = keepPicks(part, curve, from, to);
+    return {std::move(part), std::move(picks)};
+}
+
+/// Which picks of a curve are those of the one that goes the other way, in its order.
+std::vector<int> reversedPicks(const SplineData& spline) {
+    const std::vector<double>& at = spline.pickParameters;
+    std::vector<int> picks(at.size());
+    std::iota(picks.rbegin(), picks.rend(), 0);
+    // That at the start of a closed curve stays the first.
+    std::ranges::stable_sort(picks, [&](int a, int b) {
+        const auto behind = [&](int pick) {
+            return spline.closed && at[pick] == 0.0 ? 1.0 : at[pick];
+        };
+        return behind(a) > behind(b);
+    });
+    return picks;
 }
 
 }  // namespace
 
-Curve reversedCurve(const Curve& curve) {
+Curve reversedCurve(const Curve& curve, std::vector<int>* picks) {
+    if (picks != nullptr) {
+        *picks = reversedPicks(curve.spline);
+    }
     Curve result;
+    // By these a curve that starts from this one goes on.
+    result.report.isSampled = curve.report.isSampled;
+    result.report.rounds = curve.report.rounds;
     result.report.usable = curve.report.usable;
     result.report.maxDistance = curve.report.maxDistance;
     result.spline = reversedSpline(curve.spline);
@@ -162,7 +195,9 @@ Curve reversedCurve(const Curve& curve) {
     return result;
 }
 
-Curve partOfCurve(const Workpiece& workpiece, const Curve& curve, double from, double to) {
+Curve partOfCurve(
+    const Workpiece& workpiece, const Curve& curve, double from, double to, std::vector<int>* picks
+) {
     requireParameter(from);
     requireParameter(to);
     const double end = curve.polyline.closed && to < from ? to + 1.0 : to;
@@ -173,12 +208,22 @@ Curve partOfCurve(const Workpiece& workpiece, const Curve& curve, double from, d
                 " has no length; its start must be before its end"
         );
     }
-    return partBetween(workpiece, curve, from, end);
+    Part part = partBetween(workpiece, curve, from, end);
+    if (picks != nullptr) {
+        *picks = std::move(part.picks);
+    }
+    return std::move(part.curve);
 }
 
 std::vector<Curve> partsOfCurve(
-    const Workpiece& workpiece, const Curve& curve, std::span<const double> at
+    const Workpiece& workpiece,
+    const Curve& curve,
+    std::span<const double> at,
+    std::vector<std::vector<int>>* picks
 ) {
+    if (picks != nullptr) {
+        picks->clear();
+    }
     const bool closed = curve.polyline.closed;
     std::vector<double> cuts;
     for (const double t : at) {
@@ -199,7 +244,11 @@ std::vector<Curve> partsOfCurve(
     double from = cuts.front();
     for (const double to : cuts) {
         if (to - from > kLeastPart) {
-            parts.push_back(partBetween(workpiece, curve, from, to));
+            Part part = partBetween(workpiece, curve, from, to);
+            parts.push_back(std::move(part.curve));
+            if (picks != nullptr) {
+                picks->push_back(std::move(part.picks));
+            }
             from = to;
         }
     }

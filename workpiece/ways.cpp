@@ -65,6 +65,13 @@ SurfacePolyline projectedPolyline(
     return projectedPolyline(designer.surface(), designer.tree(), line, distance);
 }
 
+ProjectedLines projectedLines(
+    const Workpiece& workpiece, const SpacePolyline& line, const ProjectionOptions& options
+) {
+    const CurveDesigner& designer = designerOf(workpiece);
+    return projectedLines(designer.surface(), designer.tree(), line, options);
+}
+
 std::optional<SurfacePolyline> shortestPath(
     const Workpiece& workpiece, const SurfacePoint& from, const SurfacePoint& to
 ) {

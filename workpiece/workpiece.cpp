@@ -143,12 +143,16 @@ DesignedCurve Workpiece::draw(
     const double fieldSeconds = watch.lap();
     const std::vector<int> corners = options.corners.of(picks.size());
     const std::vector<Vec3> tangents = options.tangents.of(picks.size());
+    const std::vector<MeshLength> tolerances = options.pickTolerances.within(picks.size());
+    const std::vector<double> weights = options.pickTolerances.weights(picks.size());
     DesignedCurve drawn = draw(
         picks,
         options.solver,
         options.sampling,
         {.field = guides.field,
          .avoid = guides.avoid,
+         .pickTolerances = tolerances,
+         .pickWeights = weights,
          .corners = corners,
          .tangents = tangents,
          .start = start},

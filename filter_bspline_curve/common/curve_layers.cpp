@@ -39,6 +39,7 @@ std::vector<SurfacePoint> placesOf(const MeshModel& layer, const LayerArrays& ar
 PolylineLayer polylineOf(const MeshModel& layer) {
     PolylineLayer polyline;
     polyline.label = layer.label().toStdString();
+    polyline.id = layer.id();
     polyline.points = pointsOf(layer);
     std::vector<int> newIds(layer.cm.vert.size(), -1);
     int count = 0;
@@ -111,6 +112,8 @@ std::vector<PolylineLayer> curvesFor(
             polyline.places = placesOf(*layer, arrays);
             const MeshChecksum* const checksum = checksumOfSurface(*layer);
             polyline.drawnOn = checksum == nullptr ? std::nullopt : std::optional(*checksum);
+            const CurveSource* const source = sourceOf(*layer);
+            polyline.drawn = source == nullptr ? nullptr : source->curve;
         } else {
             polyline.isOptional = chosen == nullptr;
         }

@@ -18,6 +18,23 @@ const std::string kSource = "bspline_curve_source";
 const std::string kOfCurve = "bspline_curve_of_curve";
 const std::string kResult = "bspline_curve_result";
 
+/// Without options.
+CurveSource sourceFor(const MeshModel& surface, const LayerArrays& arrays, const Curve& curve) {
+    CurveSource source;
+    source.surface = surface.id();
+    source.picks = pickPointsOf(curve);
+    for (SurfacePoint& pick : source.picks) {
+        pick.face = arrays.faceIds[pick.face];
+    }
+    source.positions = pickPositions(curve);
+    source.corners = cornersOf(curve.spline);
+    source.tangents = tangentsAtPicks(curve);
+    source.closed = curve.polyline.closed;
+    source.curve = std::make_shared<const Curve>(curve);
+    source.toWorld = surface.cm.Tr;
+    return source;
+}
+
 }  // namespace
 
 void keepSource(
@@ -27,21 +44,15 @@ void keepSource(
     const CurveRequest& request,
     const CurveResult& result
 ) {
-    const SurfacePolyline& polyline = result.curve.polyline;
-    CurveSource source;
-    source.surface = surface.id();
-    source.picks = pickPointsOf(result.curve);
-    for (SurfacePoint& pick : source.picks) {
-        pick.face = arrays.faceIds[pick.face];
-    }
-    source.positions = pickPositions(result.curve);
-    source.corners = cornersOf(result.curve.spline);
-    source.tangents = tangentsAtPicks(result.curve);
-    source.closed = polyline.closed;
+    CurveSource source = sourceFor(surface, arrays, result.curve);
     source.options = drawnOptions(request);
-    source.curve = std::make_shared<const Curve>(result.curve);
-    source.toWorld = surface.cm.Tr;
     keepSource(curve, std::move(source));
+}
+
+void keepSource(
+    MeshModel& curve, const MeshModel& surface, const LayerArrays& arrays, const Curve& made
+) {
+    keepSource(curve, sourceFor(surface, arrays, made));
 }
 
 void keepSource(MeshModel& curve, CurveSource source) {

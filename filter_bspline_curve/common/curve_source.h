@@ -43,6 +43,11 @@ void keepSource(
     const CurveResult& result
 );
 
+/// The same for a curve that no request would draw through its picks.
+void keepSource(
+    MeshModel& curve, const MeshModel& surface, const LayerArrays& arrays, const Curve& made
+);
+
 /// The picks of a curve, as points of its surface.
 [[nodiscard]] std::vector<SurfacePoint> pickPointsOf(const Curve& curve);
 /// The positions of these.

@@ -80,6 +80,7 @@ public:
                 addAs<RichEnum>(p, static_cast<int>(p.defaultOption()), optionsOf(p));
                 break;
             case ParameterType::Length:
+            case ParameterType::Tolerances:
             case ParameterType::Picks:
             case ParameterType::Tangents:
             case ParameterType::Text:
@@ -214,6 +215,7 @@ void read(const RichParameterList& list, const ParameterDescription& p, Paramete
             values.setOption(p.id, list.getEnum(name));
             break;
         case ParameterType::Length:
+        case ParameterType::Tolerances:
         case ParameterType::Picks:
         case ParameterType::Tangents:
         case ParameterType::Text:

@@ -114,4 +114,26 @@ void addOffsetLayers(
     }
 }
 
+void addEditedLayers(
+    MeshDocument& document,
+    const MeshModel& surface,
+    const LayerArrays& arrays,
+    const EditResult& result
+) {
+    for (std::size_t i = 0; i < result.curves.size(); ++i) {
+        const auto& [curve, label] = result.curves[i];
+        const SurfacePolyline& line = curve.polyline;
+        MeshModel& layer = addPolylineLayer(
+            document,
+            {surface, arrays},
+            line,
+            {.name = QString::fromStdString(label), .quality = line.parameters, .isCurrent = i == 0}
+        );
+        keepSource(layer, surface, arrays, curve);
+    }
+    for (const int layer : result.usedLayers) {
+        setCurveVisible(document, layer, false);
+    }
+}
+
 }  // namespace bspline_curve

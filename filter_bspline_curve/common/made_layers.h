@@ -5,6 +5,7 @@
 #include "filter_bspline_curve/common/layer_arrays.h"
 #include "filter_bspline_curve/common/polyline_layer.h"
 #include "filters/run_curve_uses.h"
+#include "filters/run_edit.h"
 #include "host_document.h"
 
 #include <string>
@@ -26,6 +27,15 @@ void addOffsetLayers(
     MeshModel& surface,
     const LayerArrays& arrays,
     const OffsetResult& result
+);
+
+/// Adds a layer for each curve, with what it is kept by, and hides those that they are made of. The
+/// first becomes the current one.
+void addEditedLayers(
+    MeshDocument& document,
+    const MeshModel& surface,
+    const LayerArrays& arrays,
+    const EditResult& result
 );
 
 }  // namespace bspline_curve

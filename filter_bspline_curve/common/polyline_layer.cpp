@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <iterator>
 #include <string>
+#include <vector>
 
 namespace bspline_curve {
 
@@ -42,21 +43,30 @@ void placeVertices(
     }
 }
 
-void setAttributes(CMeshO& curve, const LayerArrays& arrays, const SurfacePolyline& polyline) {
-    for (const std::string& name :
-         {kFaceIndexAttribute, kBarycentricAttribute, kParameterAttribute}) {
-        Allocator::DeletePerVertexAttribute(curve, name);  // of any type, read from a file
+/// A new attribute of a value for each vertex, in place of one of that name and any type.
+template <class Value, class ValueOf>
+void setAttribute(CMeshO& mesh, const std::string& name, const ValueOf& valueOf) {
+    Allocator::DeletePerVertexAttribute(mesh, name);
+    auto attribute = Allocator::AddPerVertexAttribute<Value>(mesh, name);
+    for (std::size_t i = 0; i < mesh.vert.size(); ++i) {
+        attribute[i] = valueOf(i);
     }
-    auto faceIndex = Allocator::AddPerVertexAttribute<Scalarm>(curve, kFaceIndexAttribute);
-    auto barycentric = Allocator::AddPerVertexAttribute<Point3m>(curve, kBarycentricAttribute);
-    auto parameter = Allocator::AddPerVertexAttribute<Scalarm>(curve, kParameterAttribute);
-    for (std::size_t i = 0; i < polyline.surfacePoints.size(); ++i) {
-        const SurfacePoint& point = polyline.surfacePoints[i];
-        const int face = arrays.faceIds[point.face];
-        faceIndex[i] = static_cast<Scalarm>(face);
-        barycentric[i] = toPoint3m(point.barycentric);
-        parameter[i] = static_cast<Scalarm>(polyline.parameters[i]);
-    }
+}
+
+template <class NumberOf>
+void setNumbers(CMeshO& mesh, const std::string& name, const NumberOf& numberOf) {
+    setAttribute<Scalarm>(mesh, name, [&](std::size_t i) {
+        return static_cast<Scalarm>(numberOf(i));
+    });
+}
+
+void setPlaces(CMeshO& curve, const LayerArrays& arrays, const std::vector<SurfacePoint>& places) {
+    setNumbers(curve, kFaceIndexAttribute, [&](std::size_t i) {
+        return arrays.faceIds[places[i].face];
+    });
+    setAttribute<Point3m>(curve, kBarycentricAttribute, [&](std::size_t i) {
+        return toPoint3m(places[i].barycentric);
+    });
 }
 
 }  // namespace
@@ -119,9 +129,58 @@ MeshModel& addPolylinesLayer(
     return layer;
 }
 
+MeshModel& addCurvePointsLayer(
+    MeshDocument& document,
+    const SurfaceLayer& surface,
+    const PointsResult& result,
+    const QString& name
+) {
+    const std::vector<CurvePoint>& points = result.points;
+    SurfacePolyline places;
+    for (const CurvePoint& point : points) {
+        places.surfacePoints.push_back(point.place);
+    }
+    MeshModel& layer = *document.addNewMesh("", name, true);
+    layer.updateDataMask(MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR);
+    CMeshO& mesh = layer.cm;
+    Allocator::AddVertices(mesh, points.size());
+    placeVertices(mesh, surface.layer, surface.arrays, places);
+    setPlaces(mesh, surface.arrays, places.surfacePoints);
+    const FromWorld fromWorld(surface.layer.cm.Tr);
+    const auto ownDirection = [&](std::size_t i, const Vec3& vector) {
+        const Vec3& at = points[i].position;
+        const Vec3 own = fromWorld.inDoubles(at + vector) - fromWorld.inDoubles(at);
+        return toPoint3m(own.normalized());
+    };
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        mesh.vert[i].Q() = static_cast<CVertexO::QualityType>(points[i].distance);
+        mesh.vert[i].N() = ownDirection(i, points[i].normal);
+    }
+    setNumbers(mesh, "curve", [&](std::size_t i) { return result.curveOf[i]; });
+    const auto setDirections = [&](const char* attribute, Vec3 CurvePoint::* member) {
+        setAttribute<Point3m>(mesh, attribute, [&](std::size_t i) {
+            return ownDirection(i, points[i].*member);
+        });
+    };
+    setDirections("tangent", &CurvePoint::tangent);
+    setDirections("left", &CurvePoint::left);
+    const auto setFigures = [&](const char* attribute, double CurvePoint::* member) {
+        setNumbers(mesh, attribute, [&](std::size_t i) { return points[i].*member; });
+    };
+    setFigures("distance", &CurvePoint::distance);
+    setFigures("curvature", &CurvePoint::curvature);
+    setFigures("normal_curvature", &CurvePoint::normalCurvature);
+    setFigures("geodesic_curvature", &CurvePoint::geodesicCurvature);
+    attachTo(surface.layer, layer);
+    return layer;
+}
+
 void putOnSurface(MeshModel& layer, const SurfaceLayer& surface, const SurfacePolyline& polyline) {
     placeVertices(layer.cm, surface.layer, surface.arrays, polyline);
-    setAttributes(layer.cm, surface.arrays, polyline);
+    setPlaces(layer.cm, surface.arrays, polyline.surfacePoints);
+    setNumbers(layer.cm, kParameterAttribute, [&](std::size_t i) {
+        return polyline.parameters[i];
+    });
     attachTo(surface.layer, layer);
     rememberSurface(layer, surface.layer, surface.arrays.checksum);
 }

@@ -3,6 +3,7 @@
 
 #include "bspline_curve/curve.h"
 #include "filter_bspline_curve/common/layer_arrays.h"
+#include "filters/run_curve_uses.h"
 #include "host_document.h"
 #include "surface/mesh_checksum.h"
 
@@ -41,6 +42,18 @@ MeshModel& addPolylinesLayer(
     MeshDocument& document,
     const SurfaceLayer& surface,
     std::span<const SurfacePolyline* const> polylines,
+    const QString& name
+);
+
+/// Adds a layer with points along curves of the surface, without edges, in the coordinates of the
+/// surface's layer and under its matrix. Per vertex: the distance along its curve as quality, the
+/// normal of its frame, colour, and the custom attributes curve, distance, tangent, left,
+/// curvature, normal_curvature, geodesic_curvature, face_index (in the surface's layer) and
+/// barycentric. It becomes the current layer.
+MeshModel& addCurvePointsLayer(
+    MeshDocument& document,
+    const SurfaceLayer& surface,
+    const PointsResult& points,
     const QString& name
 );
 

@@ -20,6 +20,7 @@
 #include "filter_bspline_curve/common/window.h"
 #include "filters/labels.h"
 #include "filters/run_curve_uses.h"
+#include "filters/run_edit.h"
 #include "filters/run_fit.h"
 #include "filters/run_pattern.h"
 #include "workpiece/curve_notes.h"
@@ -233,6 +234,21 @@ Computing offsetCurves(const Run& run) {
     };
 }
 
+Computing placePoints(const Run& run) {
+    const PointsRequest request = pointsRequest(run.values);
+    auto taken = std::make_shared<TakenCurves>(run.document, request.use);
+    return [taken, request](const Progress& progress) -> Bringing {
+        return [taken, result = runPointsFilter(taken->takeInput(), request, progress)] {
+            const MeshModel& surface = taken->layer();
+            addLines(taken->document, [&] {
+                const QString name = nameOf(surface) + " points";
+                addCurvePointsLayer(taken->document, {surface, taken->arrays}, result, name);
+            });
+            return Answered{.figures = result.figures, .log = result.log};
+        };
+    };
+}
+
 Computing drawPattern(const Run& run) {
     const PatternRequest request = patternRequest(run.values);
     auto taken = std::make_shared<TakenCurves>(
@@ -287,6 +303,19 @@ Computing fitCurves(const Run& run) {
     };
 }
 
+Computing editCurves(const Run& run) {
+    const EditRequest request = editRequest(run.values);
+    auto taken = std::make_shared<TakenCurves>(run.document, request.use);
+    return [taken, request, &workpieces = run.workpieces](const Progress& progress) -> Bringing {
+        return [taken, result = runEditFilter(taken->takeInput(), request, workpieces, progress)] {
+            addLines(taken->document, [&] {
+                addEditedLayers(taken->document, taken->layer(), taken->arrays, result);
+            });
+            return Answered{.figures = result.figures, .log = result.log};
+        };
+    };
+}
+
 /// A filter, what starts it, and what it makes, for messages.
 struct Entry {
     const FilterDescription* filter;
@@ -304,6 +333,8 @@ const std::vector<Entry>& entries() {
         {.filter = &offsetFilter(), .start = offsetCurves, .product = "offset"},
         {.filter = &patternFilter(), .start = drawPattern, .product = "pattern"},
         {.filter = &fitFilter(), .start = fitCurves, .product = "fit"},
+        {.filter = &editFilter(), .start = editCurves, .product = "edit"},
+        {.filter = &pointsFilter(), .start = placePoints, .product = "row of points"},
     };
     return all;
 }

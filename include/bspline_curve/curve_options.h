@@ -83,6 +83,26 @@ struct PickDirections {
     friend bool operator==(const PickDirections&, const PickDirections&) = default;
 };
 
+/// How near a curve keeps to its picks.
+struct PickTolerances {
+    struct Entry {
+        MeshLength within{};  ///< see CurveInputs::pickTolerances
+        double weight = 0.0;  ///< see CurveInputs::pickWeights; 0: `within` holds
+
+        friend bool operator==(const Entry&, const Entry&) = default;
+    };
+
+    /// One for all picks, or one for each; empty: SolverOptions::pickTolerance for all.
+    std::vector<Entry> entries{};
+
+    /// One for each of so many picks, as CurveInputs takes them; empty where there are none. Throw
+    /// InputError (BadOption) where there are neither one nor as many.
+    [[nodiscard]] std::vector<MeshLength> within(std::size_t count) const;
+    [[nodiscard]] std::vector<double> weights(std::size_t count) const;
+
+    friend bool operator==(const PickTolerances&, const PickTolerances&) = default;
+};
+
 /// "1, 4", "1 4": picks counted from 1; "all"; "": none. Throws InputError (BadOption) naming what
 /// is none of these; `name`: of the option.
 [[nodiscard]] PickChoice parsePickChoice(const std::string& text, const std::string& name);
@@ -97,6 +117,10 @@ struct PickDirections {
 /// The same back again, to the bit.
 [[nodiscard]] std::string describe(const PickDirections& directions);
 
+/// "0.4", "1 edge", "weight 100": of all picks; "0.4, 0, 1 edge, weight 100": one for each. Throws
+/// InputError (BadOption) naming what is none of these; `name`: of the option.
+[[nodiscard]] PickTolerances parsePickTolerances(const std::string& text, const std::string& name);
+
 /// Whether the quality of a mesh can be a field, so that curves follow it where `field` is "auto":
 /// there is a quality, all of it is finite, and it is not the same everywhere. Takes time in
 /// proportion to the vertices.
@@ -110,6 +134,7 @@ struct CurveOptions {
     FaceChoice avoid;
     PickChoice corners{};       ///< see CurveInputs
     PickDirections tangents{};  ///< likewise
+    PickTolerances pickTolerances{};
 };
 
 /// How a mesh is prepared for curves.

@@ -213,22 +213,25 @@ void writeBytes(const std::filesystem::path& file, std::string_view bytes);
 struct CurvesOfFile {
     std::vector<SurfacePolyline> lines;
     std::vector<std::optional<SplineData>> splines;  ///< of each line, where the file has it
-    std::vector<std::string> notes;                  ///< what of the file was left out
+    std::vector<std::string> notes;                  ///< what of the file was left out, jumps
+};
+
+/// How curves of files come onto a mesh.
+struct CurveReading {
+    /// Of those that are projected, see ProjectionOptions.
+    ProjectionOptions projection{};
+    std::vector<std::string> layers{};  ///< of a DXF, those to read; empty: all that are visible
+    /// What the error of polylines that are too far away advises.
+    const char* remedy = "allow a larger distance";
 };
 
 /// Reads curves of a file onto a mesh. Those of .json are read exactly where they were drawn, by
 /// their faces and barycentric coordinates, and so are polylines of .ply, .csv and .vtu whose
-/// places are on this mesh; all others are projected, see readPolylines() and projectedPolyline().
-/// `distance`: polylines that are farther from the mesh are refused, user's unit; 0: 1 % of its
-/// diagonal. `remedy`: what the error of those advises. `layers`: of a DXF, those to read; empty:
-/// all that are visible. O(n log n). Throws InputError (UnreadableFile; NoPath: a curve of another
-/// mesh; PickTooFar) naming the file.
+/// places are on this mesh; all others are projected, see readPolylines() and projectedLines(); a
+/// note tells where they jump, and where they are beside the mesh. O(n log n). Throws InputError
+/// (UnreadableFile; NoPath: a curve of another mesh; PickTooFar; BadOption) naming the file.
 [[nodiscard]] CurvesOfFile readCurvesOn(
-    const Workpiece& workpiece,
-    const std::filesystem::path& file,
-    double distance = 0.0,
-    const std::vector<std::string>& layers = {},
-    const char* remedy = "allow a larger distance"
+    const Workpiece& workpiece, const std::filesystem::path& file, const CurveReading& reading = {}
 );
 
 /// Picked points.
@@ -237,6 +240,7 @@ struct PicksFile {
     std::optional<bool> closed;  ///< what the file says about it, if it can
     std::vector<int> corners{};  ///< indices of picks
     PickDirections tangents{};
+    PickTolerances tolerances{};
 };
 
 /// The ends of names of files of picks, for help and messages.
@@ -246,8 +250,9 @@ inline constexpr std::string_view kPicksExtensions =
 /// Picked points by extension:
 ///   .pp        MeshLab's PickPoints (points that are not active are left out)
 ///   .json      {"picks": [[x, y, z], …], "closed": true or false, "corners": [0, …], "tangents":
-///              [{"pick": 0, "direction": [x, y, z]}, …]}: picks by index that are corners, and
-///              that have a direction; other keys are left alone
+///              [{"pick": 0, "direction": [x, y, z]}, …], "tolerances": [0.4, 0, "1 edge",
+///              "weight 100", …]}: picks by index that are corners, and that have a direction, and
+///              for each pick how far from it the curve may pass; other keys are left alone
 ///   .mrk.json  (or .json) the markups of 3D Slicer: the placed control points of the one Fiducial,
 ///              Curve, ClosedCurve or Line that has any, in LPS; curves and lines say whether they
 ///              are closed

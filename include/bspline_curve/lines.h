@@ -79,6 +79,47 @@ struct FittedLines {
     const Workpiece& workpiece, const SpacePolyline& line, double distance
 );
 
+/// How polylines come onto a mesh.
+struct ProjectionOptions {
+    /// Polylines that are farther from the mesh anywhere are refused, in the user's unit, >= 0;
+    /// 0: 1 % of its diagonal, along a direction any distance.
+    double distance = 0.0;
+    /// Points are moved along it, see projectedLines(); finite and not zero. None: to the closest
+    /// point.
+    std::optional<Vec3> direction{};
+
+    /// Throws InputError (BadOption).
+    void validate() const;
+};
+
+/// A polyline on a mesh, in as many parts as it is parted into.
+struct ProjectedLines {
+    std::vector<SurfacePolyline> lines;  ///< none: all of it is beside the mesh
+    /// For each stretch of the polyline that is beside the mesh, seen along the direction, the
+    /// vertex behind which it begins; ascending.
+    std::vector<std::size_t> gaps;
+    /// The same for each jump, by more than the mean edge length, from one part of the surface to
+    /// another.
+    std::vector<std::size_t> jumps;
+};
+
+/// A polyline projected onto the mesh as projectedPolyline() does, or with a direction moved along
+/// it, as light would throw its shadow: each point goes to the first face that is met on the line
+/// through it, coming from outside in this direction, wherever on that line the point is. The
+/// vertices of the result are then those of the polyline and where it crosses edges, on the plane
+/// through segment and direction to rounding; it is looked for at steps of half a mean edge, so
+/// what is narrower may be missed. Where it leaves the mesh it is parted, up to the boundary; where
+/// it jumps it goes down the shortest path, or is parted where there is none. O(n log m) for n
+/// steps and m faces. Throws InputError as projectedPolyline() does, but not where a direction
+/// leads past the mesh; BadOption.
+[[nodiscard]] ProjectedLines projectedLines(
+    const Workpiece& workpiece, const SpacePolyline& line, const ProjectionOptions& options
+);
+
+/// What to say of polylines that were projected, in one note: where they leave the mesh and where
+/// they jump, with counts and the first of either; empty where they do neither.
+[[nodiscard]] std::string projectionNote(std::span<const ProjectedLines> polylines);
+
 /// The shortest path between two points of the mesh, up to rounding; where that takes more than
 /// half a second to tell, the shortest one found so far. t is the length along it, from 0 to 1.
 /// None where no way leads, or both are one point. Throws InputError (IndexOutOfRange: no face of

@@ -102,6 +102,9 @@ struct SolverOptions {
     /// How far from a pick the curve may pass: it is as fair as it can be within that distance of
     /// all picks, as points of the surface. 0: it passes them. >= 0
     MeshLength pickTolerance{};
+    /// Picks that are farther from the mesh are refused, in the user's unit; 0: 1 % of its
+    /// diagonal. >= 0
+    double pickDistance = 0.0;
     double fieldWeight = 2000.0;  ///< mu of (7), >= 0, for costs between 0 and 1; has no effect
                                   ///< without a field
     FieldCost fieldCost = FieldCost::Natural;

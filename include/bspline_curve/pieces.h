@@ -11,26 +11,34 @@
 
 // Curves turned round, cut, joined and made longer. Each result is a curve like others: a polyline
 // strictly on the mesh, and its spline at the same parameters. It is no longer one that is drawn
-// through its picks: to draw it again, change the curves that it is made of.
+// through its picks: to draw it again, change the curves that it is made of. `picks`, where it is
+// not null, is told which picks of the whole those of the result are, in their order.
 namespace bspline_curve {
 
 /// The same curve from its end to its start; a closed one keeps its first point. Picks change their
 /// order. Exact to rounding. O(n).
-[[nodiscard]] Curve reversedCurve(const Curve& curve);
+[[nodiscard]] Curve reversedCurve(const Curve& curve, std::vector<int>* picks = nullptr);
 
 /// The part between two parameters, as an open curve over [0, 1] with the picks that lie in it; of
 /// a closed curve `to` may be less than `from`: the part leads over its first point then. The
 /// spline is the same one, by knots inserted. O(n). Throws InputError (BadOption) where a parameter
 /// is not in [0, 1] or the part has no length, (NoPath) where the curve is not on the mesh.
 [[nodiscard]] Curve partOfCurve(
-    const Workpiece& workpiece, const Curve& curve, double from, double to
+    const Workpiece& workpiece,
+    const Curve& curve,
+    double from,
+    double to,
+    std::vector<int>* picks = nullptr
 );
 
 /// The parts between parameters in any order, which together are the whole: of an open curve from
 /// its start on, of a closed one from the first parameter on. Throws likewise, and InputError
 /// (BadOption) where there is no parameter.
 [[nodiscard]] std::vector<Curve> partsOfCurve(
-    const Workpiece& workpiece, const Curve& curve, std::span<const double> at
+    const Workpiece& workpiece,
+    const Curve& curve,
+    std::span<const double> at,
+    std::vector<std::vector<int>>* picks = nullptr
 );
 
 /// How two curves become one.

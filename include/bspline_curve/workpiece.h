@@ -25,6 +25,11 @@ struct CurveInputs {
     /// Of each pick, how far from it the curve may pass, instead of SolverOptions::pickTolerance;
     /// empty: that of all. `start` has no effect with any above 0.
     std::span<const MeshLength> pickTolerances{};
+    /// Of each pick, in place of its tolerance, how much it costs to pass it at a distance d:
+    /// weight (d / diagonal)^2, beside the curve's length times the integral of its squared
+    /// geodesic curvature, which is 4 pi^2 for a circle; >= 0. No bound: the report tells d. 0: the
+    /// tolerance holds; empty: for all. The curve passes its tangents' picks whatever their weight.
+    std::span<const double> pickWeights{};
     /// Picks, from 0 and in any order, at which the curve may turn: it is continuous there and no
     /// more, passes them whatever their tolerance, and is as fair as it can be on either side. The
     /// spline has knots there whose multiplicity is the degree. Without effect at the ends of an

@@ -148,7 +148,13 @@ class Curve:
 
     @classmethod
     def from_points(
-        cls, points: npt.ArrayLike, mesh: Mesh, *, closed: bool | None = None, max_distance: float = 0.0
+        cls,
+        points: npt.ArrayLike,
+        mesh: Mesh,
+        *,
+        closed: bool | None = None,
+        max_distance: float = 0.0,
+        direction: npt.ArrayLike | None = None,
     ) -> Curve:
         """Lay a polyline on a mesh: its points, and points between them, become the closest ones of the mesh.
 
@@ -162,7 +168,11 @@ class Curve:
         closed : bool, default None
             None: whether the last point is the first.
         max_distance : float ≥ 0, default 0
-            A polyline that is farther from the mesh anywhere is refused, in the unit of the mesh; 0: 1 % of its diagonal.
+            A polyline that is farther from the mesh anywhere is refused, in the unit of the mesh; 0: 1 % of its diagonal, along a
+            direction any distance.
+        direction : (3,) array of float, default None
+            Drape the polyline: move each of its points along this direction to the first face that is met there, coming from
+            outside. It is refused where it leaves the mesh; imprint(), cut() and segment() take its parts.
 
         Returns
         -------
@@ -181,9 +191,9 @@ class Curve:
         >>> line.closed, line.degree
         (True, 1)
         """
-        from ._lines import of_points
+        from ._lines import Placing, of_points, only_one
 
-        return of_points(points, mesh, closed, max_distance, "points")
+        return only_one(of_points(points, mesh, closed, Placing(max_distance, direction), "points"))
 
     @classmethod
     def from_scipy(cls, spline: ScipySpline, mesh: Mesh, *, max_distance: float = 0.0) -> Curve:
@@ -399,7 +409,7 @@ class Curve:
         """
         index = self._index(pick, len(self.picks) + 1)
         added = one_pick(point, self.mesh, index)
-        drawing = self._bound().renumbered(lambda corner: corner + (corner >= index))
+        drawing = self._bound().renumbered(len(self.picks) + 1, lambda corner: corner + (corner >= index))
         return drawn(drawing._replace(picks=np.insert(drawing.picks, index, added, axis=0)), None, progress)
 
     def remove(self, pick: int, progress: Progress | None = None) -> Curve:
@@ -427,7 +437,7 @@ class Curve:
         -1
         """
         index = self._index(pick, len(self.picks))
-        drawing = self._bound().renumbered(lambda corner: None if corner == index else corner - (corner > index))
+        drawing = self._bound().renumbered(len(self.picks) - 1, lambda corner: None if corner == index else corner - (corner > index))
         return drawn(drawing._replace(picks=np.delete(drawing.picks, index, axis=0)), None, progress)
 
     def with_options(self, progress: Progress | None = None, **options: Unpack[CurveOptions]) -> Curve:
@@ -600,9 +610,9 @@ class Curve:
         >>> bool(np.allclose(turned.spline(0.2), curve.spline(0.8)))
         True
         """
-        from ._pieces import reversed_piece
+        from ._pieces import reversed_curve
 
-        return self._made_of(*reversed_piece(self))
+        return reversed_curve(self)
 
     def trim(self, start: float, end: float) -> Curve:
         """Cut out the part between two parameters, as an open curve: spline and polyline end at the same places.
@@ -629,14 +639,9 @@ class Curve:
         >>> bool(np.allclose(middle.spline(0), curve.spline(0.25)))
         True
         """
-        from ._pieces import checked_parameter, piece
+        from ._pieces import checked_parameter, part
 
-        a, b = (checked_parameter(name, at, self.closed) for name, at in (("start", start), ("end", end)))
-        if self.closed and b < a:
-            b += 1.0
-        if not b - a > 1e-9:
-            raise InputError(f"the part from {start} to {end} has no length; start must be less than end")
-        return self._made_of(*piece(self, a, b))
+        return part(self, *(checked_parameter(name, at, self.closed) for name, at in (("start", start), ("end", end))))
 
     def split(self, at: float | Sequence[float] | Floats) -> list[Curve]:
         """Cut the curve at parameters t into open curves; together they are the whole.
@@ -662,15 +667,10 @@ class Curve:
         >>> len(parts), bool(np.isclose(sum(part.length for part in parts), curve.length))
         (3, True)
         """
-        from ._pieces import checked_parameter, piece
+        from ._pieces import checked_parameter, parts
 
         given = numbers(np.atleast_1d(np.asarray(at)), "at").ravel().tolist()
-        cuts = sorted({checked_parameter("at", each, self.closed) % (1.0 if self.closed else 2.0) for each in given})
-        if self.closed:
-            bounds = [*cuts, cuts[0] + 1.0] if cuts else []
-        else:
-            bounds = [0.0, *(each for each in cuts if 0.0 < each < 1.0), 1.0]
-        return [self._made_of(*piece(self, a, b)) for a, b in zip(bounds, bounds[1:]) if b - a > 1e-9] or [self]
+        return parts(self, [checked_parameter("at", each, self.closed) for each in given]) if given else [self]
 
     def join(
         self,
@@ -855,9 +855,6 @@ class Curve:
 
     def _spline_data(self) -> _spline.Spline:
         return _spline.Spline(self.degree, self.knots, self.control_points)
-
-    def _made_of(self, state: dict[str, Any], drawing: Drawing) -> Curve:
-        return restored(drawing, state, self.report)
 
     def _frames(self) -> Samples:
         """Samples at all points."""

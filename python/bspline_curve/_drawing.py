@@ -87,9 +87,12 @@ class Drawing(NamedTuple):
             options = {**options, "field_cost": "identity"}
         return options, made, self.avoided(made)
 
-    def renumbered(self, moved: Callable[[int], int | None]) -> Drawing:
-        """Corners and tangents of other picks: of `moved` of each, of none where that is None."""
+    def renumbered(self, count: int, moved: Callable[[int], int | None]) -> Drawing:
+        """Corners, tangents and tolerances of so many other picks: of `moved` of each, of none where that is None."""
         options = dict(self.options)
+        tolerances: Any = options.get("pick_tolerance")
+        if isinstance(tolerances, tuple):
+            options["pick_tolerance"] = _spread(tolerances, count, moved)
         corners: Any = options.get("corners")
         if isinstance(corners, tuple):
             options["corners"] = tuple(each for each in map(moved, corners) if each is not None)
@@ -107,3 +110,9 @@ class Drawing(NamedTuple):
         share = 0.5 if isinstance(self.field, str) and placed.mesh._known_field({**self.field_options(), "kind": self.field}) is None else 0.0  # of the field
         resolved = placed.resolved(part_of(progress, 0.0, share))
         return placed.mesh._core.draw(self.picks, *resolved, start, part_of(progress, share, 1.0)), placed
+
+
+def _spread(entries: tuple[str, ...], count: int, moved: Callable[[int], int | None]) -> tuple[str, ...]:
+    """The entries of picks at their new places; a new pick has that of the one before it, at the start of the one behind."""
+    placed = {at: entry for at, entry in ((moved(i), entry) for i, entry in enumerate(entries)) if at is not None}
+    return tuple(placed[max((at for at in placed if at <= i), default=min(placed))] for i in range(count))

@@ -54,7 +54,8 @@ CURVE: dict[str, Option] = {
     "degree": Option("int", 3, 2, 4, False, ()),
     "tension": Option("double", 0.0, 0.0, 1.0, False, ()),
     "field_weight": Option("double", 2000.0, 0.0, None, False, ()),
-    "pick_tolerance": Option("length", "0", None, None, False, ()),
+    "pick_tolerance": Option("tolerances", "0", None, None, False, ()),
+    "pick_distance": Option("double", 0.0, 0.0, None, False, ()),
     "corners": Option("picks", (), None, None, False, ()),
     "tangents": Option("tangents", None, None, None, False, ()),
     "field_cost": Option("enum", "natural", None, None, False, ("natural", "identity", "square", "exp-minus")),
@@ -133,7 +134,8 @@ class CurveOptions(TypedDict, total=False):
     degree: int
     tension: float
     field_weight: float
-    pick_tolerance: float | str
+    pick_tolerance: float | str | Sequence[float | str]
+    pick_distance: float
     corners: Sequence[int] | Literal["all"]
     tangents: Mapping[int, npt.ArrayLike] | None
     field_cost: FieldCost
@@ -279,7 +281,8 @@ class MeshKeywords(ABC):
         degree: int = 3,
         tension: float = 0.0,
         field_weight: float = 2000.0,
-        pick_tolerance: float | str = "0",
+        pick_tolerance: float | str | Sequence[float | str] = "0",
+        pick_distance: float = 0.0,
         corners: Sequence[int] | Literal["all"] = (),
         tangents: Mapping[int, npt.ArrayLike] | None = None,
         field_cost: FieldCost = "natural",
@@ -336,7 +339,7 @@ class MeshKeywords(ABC):
         Parameters
         ----------
         picks : (p, 3) array of float, or p pairs (face, barycentrics)
-            Points that the curve passes, in order. Those farther from the mesh than 1 % of its diagonal are refused.
+            Points that the curve passes, in order. Those farther from the mesh than `pick_distance` are refused.
         closed : bool, default False
             True: a closed curve through at least 3 picks. False: an open one from the first to the last of at least 2.
         degree : int in [2, 4], default 3
@@ -346,9 +349,13 @@ class MeshKeywords(ABC):
         field_weight : float ≥ 0, default 2000.0
             Weight of the field against smoothness, in units of 1 / cost, for costs between 0 and 1. 0: the field has no
             effect.
-        pick_tolerance : float or str, default '0'
+        pick_tolerance : float or str, or a sequence of these, default '0'
             How far from each pick the curve may pass: it is as fair as possible within that distance. A length in the unit
-            of the mesh, or in mean edges of it, as 1.5 edges. 0: it passes the picks.
+            of the mesh, or text like '1.5 edges', in mean edges; one for all picks, or one for each. 0: it passes the
+            picks. In place of a length, 'weight 100': no bound, but a pull that grows with the distance.
+        pick_distance : float ≥ 0, default 0.0
+            Picks that are farther from the mesh are refused; the others are moved to its nearest point. 0: 1 % of the
+            diagonal.
         corners : sequence of int, or 'all', default ()
             Picks at which the curve turns, by their indices, or 'all'. It passes them, and is as fair as possible on either
             side.
@@ -497,6 +504,7 @@ class MeshKeywords(ABC):
                 "tension": tension,
                 "field_weight": field_weight,
                 "pick_tolerance": pick_tolerance,
+                "pick_distance": pick_distance,
                 "corners": corners,
                 "tangents": tangents,
                 "field_cost": field_cost,

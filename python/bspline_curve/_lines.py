@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any, Protocol, TypeAlias
+from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
@@ -13,10 +13,9 @@ from . import _core, _spline
 from ._arrays import Floats, finite_points, numbers
 from ._curve import Curve, restored
 from ._drawing import Drawing
-from ._errors import InputError, PickError
+from ._errors import InputError, PickError, warn
 from ._identity import difference, require_mesh
 from ._options import Option, checked_number
-from ._pieces import spline_state
 
 if TYPE_CHECKING:
     from ._mesh import Mesh
@@ -35,32 +34,63 @@ class ScipySpline(Protocol):
 
 Line: TypeAlias = "Curve | npt.ArrayLike | ScipySpline"
 
+REACH = 0.01  # of the diagonal, for points of a mesh
 MAX_DISTANCE = Option("double", 0.0, 0.0, None, False, ())
-REACH = 0.01  # of the diagonal, where max_distance is 0
 SAMPLES_OF_A_SPAN = 32  # at least: the projection follows the spline between them
 
 
-def curve_on(mesh: Mesh, given: Any, name: str, max_distance: float = 0.0) -> Curve:
+class Placing(NamedTuple):
+    """How what comes from elsewhere comes onto a mesh."""
+
+    max_distance: float = 0.0
+    direction: npt.ArrayLike | None = None
+
+
+class Placed(NamedTuple):
+    """Curves on a mesh, and what people must know of them."""
+
+    curves: list[Curve]
+    notes: list[str]
+
+
+def curve_on(mesh: Mesh, given: Any, name: str) -> Curve:
     """A curve of this mesh, of what people give for one."""
+    return only_one(curves_of(mesh, given, name, Placing()))
+
+
+def only_one(placed: Placed) -> Curve:
+    if len(placed.curves) != 1:
+        raise InputError(f"{' '.join(placed.notes)}: {len(placed.curves)} curves, and one is needed here")
+    warn(placed.notes, 3)
+    return placed.curves[0]
+
+
+def curves_of(mesh: Mesh, given: Any, name: str, placing: Placing) -> Placed:
+    """Of one that is given, which a direction may part."""
     if isinstance(given, Curve):
         if given._drawing.home is mesh:
-            return given
+            return Placed([given], [])
         other = difference(given._drawing.home, mesh)
         if other:
             raise InputError(f"{name} is of another mesh: {other}")
-        return given.on(mesh)
+        return Placed([given.on(mesh)], [])
     if is_spline(given):
-        return of_spline(given, mesh, max_distance, name)
-    return of_points(given, mesh, None, max_distance, name)
+        if placing.direction is None:
+            return Placed([of_spline(given, mesh, placing.max_distance, name)], [])
+        spline, closed = our_spline(given, name)
+        points = _spline.evaluate(spline, parameters_along(spline, mesh), 0)
+        return of_points(points, mesh, closed, placing, name)
+    return of_points(given, mesh, None, placing, name)
 
 
-def curves_on(mesh: Mesh, given: Any, max_distance: float) -> list[Curve]:
+def curves_on(mesh: Mesh, given: Any, placing: Placing) -> Placed:
     """Of one, or of several."""
     if isinstance(given, Curve) or is_spline(given) or (isinstance(given, np.ndarray) and given.ndim == 2):
-        return [curve_on(mesh, given, "curves", max_distance)]
+        return curves_of(mesh, given, "curves", placing)
     if not isinstance(given, Iterable) or isinstance(given, (str, bytes)):
         raise TypeError(f"curves is {type(given).__name__}, but must be curves: Curve, (n, 3) arrays, or BSpline of scipy")
-    return [curve_on(mesh, each, f"curves[{i}]", max_distance) for i, each in enumerate(given)]
+    each = [curves_of(mesh, one, f"curves[{i}]", placing) for i, one in enumerate(given)]
+    return Placed([curve for placed in each for curve in placed.curves], [note for placed in each for note in placed.notes])
 
 
 def is_spline(given: Any) -> bool:
@@ -68,7 +98,7 @@ def is_spline(given: Any) -> bool:
     return all(hasattr(given, name) for name in ("t", "c", "k", "extrapolate"))
 
 
-def of_points(given: npt.ArrayLike, mesh: Mesh, closed: bool | None, max_distance: float, name: str) -> Curve:
+def of_points(given: npt.ArrayLike, mesh: Mesh, closed: bool | None, placing: Placing, name: str) -> Placed:
     require_mesh(mesh)
     points = finite_points(given, name, InputError, "")
     if len(points) < 2:
@@ -78,17 +108,29 @@ def of_points(given: npt.ArrayLike, mesh: Mesh, closed: bool | None, max_distanc
         points = np.ascontiguousarray(points[:-1])
     is_closed = ends_where_it_starts if closed is None else closed
     drawing = Drawing(mesh, np.empty((0, 3)), {}, fixed="a polyline that was given")
-    return Curve(projected(mesh, points, is_closed, max_distance, name), drawing)
+    lines, notes = projected(mesh, points, is_closed, placing, name)
+    return Placed([Curve(line, drawing) for line in lines], notes)
 
 
-def projected(mesh: Mesh, points: Floats, closed: bool, max_distance: float, name: str) -> _core.Curve:
-    reach = checked_number("max_distance", MAX_DISTANCE, max_distance) or REACH * mesh.diagonal
+def projected(mesh: Mesh, points: Floats, closed: bool, placing: Placing, name: str) -> tuple[list[_core.Curve], list[str]]:
+    reach = checked_number("max_distance", MAX_DISTANCE, placing.max_distance)
+    direction = None if placing.direction is None else direction_of(placing.direction)
     try:
-        return _core.projected(mesh._core, points, closed, reach)
+        lines, note = _core.projected(mesh._core, points, closed, reach, direction)
     except PickError as error:
         # Ids are those of points, which the message names.
         text = f"{name} is not near the mesh: {error}; give the mesh that it belongs to, or a larger max_distance"
         raise InputError(text, error.code) from None
+    if not lines:
+        raise InputError(f"{name} does not meet the mesh along the direction; move it, or give another direction", "pick-too-far")
+    return lines, [f"{name}: {note}"] if note else []
+
+
+def direction_of(given: npt.ArrayLike) -> tuple[float, ...]:
+    direction = numbers(given, "direction")
+    if direction.shape != (3,) or not np.isfinite(direction).all() or not direction.any():
+        raise InputError(f"direction is {given!r}, but must be three finite numbers that are not all 0", "bad-array")
+    return tuple(direction.tolist())
 
 
 def of_spline(given: Any, mesh: Mesh, max_distance: float, name: str) -> Curve:
@@ -96,7 +138,9 @@ def of_spline(given: Any, mesh: Mesh, max_distance: float, name: str) -> Curve:
     spline, closed = our_spline(given, name)
     at = parameters_along(spline, mesh)
     points = _spline.evaluate(spline, at, 0)
-    line = projected(mesh, np.ascontiguousarray(points[:-1] if closed else points), closed, max_distance, name)
+    on_mesh, notes = projected(mesh, np.ascontiguousarray(points[:-1] if closed else points), closed, Placing(max_distance), name)
+    warn(notes, 3)
+    line = on_mesh[0]
     faces, barycentrics = line.places
     state = {
         "points": np.array(line.points), "faces": faces, "barycentrics": barycentrics,
@@ -104,6 +148,10 @@ def of_spline(given: Any, mesh: Mesh, max_distance: float, name: str) -> Curve:
         "degree": spline.degree, "closed": closed, "usable": True, "is_sampled": False, "alpha": 0.0,
     } | spline_state(spline)  # fmt: skip
     return restored(Drawing(mesh, np.empty((0, 3)), {}, fixed="a spline that was given"), state, None)
+
+
+def spline_state(spline: _spline.Spline) -> dict[str, Any]:
+    return {"control_points": np.ascontiguousarray(spline.control_points), "knots": spline.knots.tolist()}
 
 
 def our_spline(given: Any, name: str) -> tuple[_spline.Spline, bool]:

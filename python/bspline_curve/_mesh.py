@@ -21,7 +21,7 @@ from ._identity import remember
 from ._imprint import SNAP, STROKE, Cut, Fill, Imprint, Keep, with_holes_filled
 from ._inputs import mesh_arrays
 from ._keywords import CURVE, FIELD, SHELL, Avoid, Field, MeshKeywords
-from ._lines import Line, curves_on
+from ._lines import Line, Placing, curves_on
 from ._options import Progress, Value, changed, checked_number
 from ._pattern import Pattern, Planar, patterned
 from ._ways import Places, distances_to, way_between
@@ -397,7 +397,12 @@ class Mesh(MeshKeywords):
         return curves_round(self, faces, labels, allowed(deviation, corner_angle), options, progress)
 
     def imprint(
-        self, curves: Line | Iterable[Line], snap: float = 1e-9, max_distance: float = 0.0, stroke: float = 0.0
+        self,
+        curves: Line | Iterable[Line],
+        snap: float = 1e-9,
+        max_distance: float = 0.0,
+        stroke: float = 0.0,
+        direction: npt.ArrayLike | None = None,
     ) -> Imprint:
         """Make curves edges of a copy of the mesh, which is mended where it had to be for curves.
 
@@ -410,10 +415,14 @@ class Mesh(MeshKeywords):
         snap : float in [0, 0.01], default 1e-9
             Points that are nearer are taken as one: relative to the altitudes of a face, on an edge to its length.
         max_distance : float ≥ 0, default 0
-            Polylines and splines that are farther from the mesh anywhere are refused, in its unit; 0: 1 % of its diagonal.
+            Polylines and splines that are farther from the mesh anywhere are refused, in its unit; 0: 1 % of its diagonal, along
+            a direction any distance. A MeshWarning tells where one jumps from one part of the mesh to another.
         stroke : float ≥ 0, default 0
             A width: the lines at half of it beside the curves, round the ends of open ones, become edges, and the parts
             between them are "inside". 0: the curves do.
+        direction : (3,) array of float, default None
+            Drape polylines and splines: move each of their points along this direction to the first face that is met there,
+            coming from outside; None: to the closest point. A MeshWarning tells where one is beside the mesh, and parted there.
 
         Returns
         -------
@@ -433,7 +442,12 @@ class Mesh(MeshKeywords):
         >>> len(imprint.curves), imprint.parts[0].area > imprint.parts[1].area
         (2, True)
         """
-        given = [curve._core for curve in curves_on(self, curves, max_distance)]
+        return self._imprinted(curves, snap, Placing(max_distance, direction), stroke)
+
+    def _imprinted(self, curves: Line | Iterable[Line], snap: float, placing: Placing, stroke: float = 0.0) -> Imprint:
+        placed = curves_on(self, curves, placing)
+        warn(placed.notes, 3)
+        given = [curve._core for curve in placed.curves]
         width = checked_number("stroke", STROKE, stroke)
         return Imprint(_core.imprint(self._core, given, checked_number("snap", SNAP, snap), width))
 
@@ -446,8 +460,10 @@ class Mesh(MeshKeywords):
         progress: Progress | None = None,
         drop_untouched: bool = False,
         max_distance: float = 0.0,
+        direction: npt.ArrayLike | None = None,
     ) -> Cut:
-        """Open a copy of the mesh along curves: imprint(curves, snap, max_distance).cut(keep, fill, progress, drop_untouched).
+        """Open a copy of the mesh along curves: imprint(curves, snap, max_distance, direction=direction).cut(keep, fill, progress,
+        drop_untouched).
 
         Examples
         --------
@@ -455,7 +471,7 @@ class Mesh(MeshKeywords):
         >>> cut.vertices.shape[1], cut.labels.min() == cut.labels.max()
         (3, np.True_)
         """
-        return self.imprint(curves, snap, max_distance)._cut(keep, fill, progress, drop_untouched)
+        return self._imprinted(curves, snap, Placing(max_distance, direction))._cut(keep, fill, progress, drop_untouched)
 
     def fill_holes(
         self,
@@ -505,14 +521,20 @@ class Mesh(MeshKeywords):
         """
         return with_holes_filled(self._core, shape, max_length, max_edges, seed, progress)
 
-    def segment(self, curves: Line | Iterable[Line], snap: float = 1e-9, max_distance: float = 0.0) -> Imprint:
+    def segment(
+        self,
+        curves: Line | Iterable[Line],
+        snap: float = 1e-9,
+        max_distance: float = 0.0,
+        direction: npt.ArrayLike | None = None,
+    ) -> Imprint:
         """Label the parts that curves leave: an imprint whose `labels` and `parts` are more than those of the mesh.
 
         A MeshWarning says which curves part nothing while others do.
 
         Parameters
         ----------
-        curves, snap, max_distance
+        curves, snap, max_distance, direction
             As of imprint().
 
         Returns
@@ -531,7 +553,7 @@ class Mesh(MeshKeywords):
         >>> sorted(set(regions.labels.tolist()))
         [0, 1]
         """
-        imprint = self.imprint(curves, snap, max_distance)
+        imprint = self._imprinted(curves, snap, Placing(max_distance, direction))
         warn(imprint._core.segment_notes, 2)
         return imprint
 
@@ -542,6 +564,7 @@ class Mesh(MeshKeywords):
         along: Line | None = None,
         *,
         up: npt.ArrayLike | None = None,
+        layers: Sequence[str] = (),
         size: float = 0.0,
         scale: float = 0.0,
         repeat: int = 0,
@@ -568,6 +591,8 @@ class Mesh(MeshKeywords):
         up : (3,) array of float, default None
             Direction in space that the drawing's up follows at the centre; None: the y axis, or z where the surface faces
             along y.
+        layers : sequence of str, default ()
+            The layers of a .dxf to read, also where they are off; (): all that are not off or frozen.
         size : float ≥ 0, default 0
             Longer side of the drawing, in the unit of the mesh; 0: as `scale` says; if that is 0 as well, 10 % of the
             diagonal, or along a curve so that copies touch.
@@ -610,7 +635,7 @@ class Mesh(MeshKeywords):
         """
         options = {"size": size, "scale": scale, "repeat": repeat, "spacing": spacing, "start": start, "shift": shift}
         options |= {"corner_angle": corner_angle, "tolerance": tolerance, "smoothing": smoothing}
-        return patterned(self, drawing, centre, along, up, options, progress)
+        return patterned(self, drawing, centre, along, up, layers, options, progress)
 
     def _make_field(
         self,

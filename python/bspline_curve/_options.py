@@ -14,7 +14,7 @@ from ._errors import OptionError
 
 Progress: TypeAlias = Callable[[float, str], object]
 Tangents: TypeAlias = "tuple[tuple[int, tuple[float, float, float]], ...]"
-Value: TypeAlias = "bool | int | float | str | tuple[int, ...] | Tangents | None"
+Value: TypeAlias = "bool | int | float | str | tuple[int, ...] | tuple[str, ...] | Tangents | None"
 
 
 def part_of(progress: Progress | None, start: float, end: float) -> Progress | None:
@@ -29,7 +29,7 @@ def part_of(progress: Progress | None, start: float, end: float) -> Progress | N
 class Option(NamedTuple):
     """What an option may be."""
 
-    kind: str  # bool, int, double, length, picks, tangents or enum
+    kind: str  # bool, int, double, length, tolerances, picks, tangents or enum
     default: Any
     low: float | None
     high: float | None
@@ -59,6 +59,8 @@ def checked_value(name: str, option: Option, value: object) -> Value:
         return bool(value)
     if option.kind == "length":
         return checked_length(name, value)
+    if option.kind == "tolerances":
+        return checked_tolerances(name, value)
     if option.kind == "picks":
         return checked_picks(name, value)
     if option.kind == "tangents":
@@ -90,6 +92,17 @@ def checked_length(name: str, value: object) -> str:
     if isinstance(value, (bool, np.bool_)) or not isinstance(value, Real):
         raise TypeError(f"{name} is {value!r}, but must be a number, or text like '1.5 edges'")
     return repr(float(value))
+
+
+def checked_tolerances(name: str, value: object) -> str | tuple[str, ...]:
+    """A length for all picks, or one for each."""
+    given = value.tolist() if isinstance(value, np.ndarray) else value
+    if isinstance(given, str) or not isinstance(given, Sequence):
+        return checked_length(name, given)
+    entries = tuple(checked_length(f"{name}[{i}]", each) for i, each in enumerate(given))
+    if not entries:
+        raise OptionError(f"{name} is {value!r}, but must have a length for each pick", "bad-option")
+    return entries
 
 
 def checked_picks(name: str, value: object) -> str | tuple[int, ...]:

@@ -92,6 +92,7 @@ def patterned(
     centre: npt.ArrayLike | None,
     along: Line | None,
     up: npt.ArrayLike | None,
+    layers: Sequence[str],
     options: dict[str, Any],
     progress: Progress | None,
 ) -> Pattern:
@@ -103,7 +104,7 @@ def patterned(
     place["along"] = None if along is None else curve_on(mesh, along, "along")._core
     try:
         curves, paths, copies, tolerance, deviation, *extremes = _core.pattern(
-            mesh._core, planar_drawing(drawing), place, progress
+            mesh._core, planar_drawing(drawing, layers), place, progress
         )
     except InputError as error:
         # Ids are those of paths, which the message names.
@@ -119,8 +120,12 @@ def patterned(
     )
 
 
-def planar_drawing(given: Planar) -> _core.Drawing:
+def planar_drawing(given: Planar, layers: Sequence[str]) -> _core.Drawing:
     """A file, path data, or polylines, as the core takes it."""
+    names = _names_of(layers)
+    is_dxf = isinstance(given, (str, os.PathLike)) and os.fspath(given).lower().endswith(".dxf")
+    if names and not is_dxf:
+        raise InputError("layers are chosen in .dxf alone", "bad-option")
     if not isinstance(given, (str, os.PathLike)):
         if not isinstance(given, Iterable):
             raise TypeError(f"drawing is {given!r}, but must be a file, path data, or polylines of (n, 2) arrays")
@@ -132,13 +137,19 @@ def planar_drawing(given: Planar) -> _core.Drawing:
             return _core.path_drawing(name)
         raise FileError(f"{name}: drawings are read from .svg and .dxf; path data begin with M", "unreadable-file")
     data = _bytes(name)
-    drawing, notes = _core.dxf_drawing(name, data) if kind == ".dxf" else _core.svg_drawing(name, _xml_tree(name, data))
+    drawing, notes = _core.dxf_drawing(name, data, names) if is_dxf else _core.svg_drawing(name, _xml_tree(name, data))
     for note in notes:
         of_the_caller = 4
         warnings.warn(note, stacklevel=of_the_caller)
     if not drawing.path_count:
         raise FileError(f"{name}: has no path that is longer than 0", "unreadable-file")
     return drawing
+
+
+def _names_of(layers: Sequence[str]) -> list[str]:
+    if isinstance(layers, str) or not all(isinstance(name, str) for name in layers):
+        raise TypeError(f"layers is {layers!r}, but must be a sequence of names")
+    return list(layers)
 
 
 def _bytes(file: str) -> bytes:

@@ -259,6 +259,8 @@ def _drawing(mesh: Mesh, options: dict[str, Any]) -> Drawing:
     for name in ("corners", "tangents"):
         if name in options:
             raise TypeError(f"{name} are of a curve's own picks: draw it, and take curve.with_options({name}=…)")
+    if not isinstance(options.get("pick_tolerance", ""), (str, int, float)):
+        raise TypeError("pick_tolerance is one for all picks here: draw a curve, and take curve.with_options(pick_tolerance=…)")
     unknown = sorted(options.keys() - CURVE.keys())
     if unknown:
         raise TypeError(f"there is no option {unknown[0]!r}; there are {', '.join([*sorted(CURVE), *guides])}")

@@ -78,19 +78,6 @@ def part(spline: Spline, start: float, end: float) -> Spline:
     return Spline(degree, np.concatenate([0.0 * ends, inner, ends]), points[first - degree : last])
 
 
-def unrolled(spline: Spline) -> Spline:
-    """Of a closed spline two turns, over [0, 2]."""
-    degree, knots, points = spline
-    turn = len(points) - degree
-    index = np.arange(2 * turn + 2 * degree + 1)
-    return Spline(degree, knots[index % turn] + index // turn, points[index[: 2 * turn + degree] % turn])
-
-
-def reversed_spline(spline: Spline) -> Spline:
-    """From its end to its start."""
-    return Spline(spline.degree, 1.0 - spline.knots[::-1], spline.control_points[::-1].copy())
-
-
 def is_periodic(spline: Spline) -> bool:
     """Whether it is closed as ours are: periodic knots, the first control points once more at the end."""
     degree, knots, points = spline

@@ -40,7 +40,7 @@ void bindDrawing(nanobind::module_& module);
 void bindFits(nanobind::module_& module);
 /// Drawings, and the function that carries them to a mesh.
 void bindPattern(nanobind::module_& module);
-/// Curves joined and made longer.
+/// Curves turned round, cut, joined and made longer.
 void bindPieces(nanobind::module_& module);
 /// The formats of curves' files, and the reader of meshes' files.
 void bindFiles(nanobind::module_& module);

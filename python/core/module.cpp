@@ -63,9 +63,13 @@ DesignedCurve draw(
     const std::vector<int> avoided = toVector(avoid);
     const std::vector<int> corners = chosen.corners.of(through.size());
     const std::vector<Vec3> tangents = chosen.tangents.of(through.size());
+    const std::vector<MeshLength> tolerances = chosen.pickTolerances.within(through.size());
+    const std::vector<double> weights = chosen.pickTolerances.weights(through.size());
     const CurveInputs inputs{
         .field = field != nullptr ? *field : ScalarField(),
         .avoid = avoided,
+        .pickTolerances = tolerances,
+        .pickWeights = weights,
         .corners = corners,
         .tangents = tangents,
         .start = start != nullptr ? &start->curve : nullptr

@@ -12,6 +12,7 @@
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace bspline_curve::python {
@@ -29,6 +30,13 @@ ParameterValue valueOf(nb::handle value) {
     }
     if (nb::isinstance<nb::float_>(value)) {
         return nb::cast<double>(value);
+    }
+    if (nb::isinstance<nb::tuple>(value)) {  // tolerances of picks
+        std::string list;
+        for (const nb::handle each : value) {
+            list.append(list.empty() ? "" : ",").append(nb::cast<std::string>(each));
+        }
+        return list;
     }
     return nb::cast<std::string>(value);
 }
@@ -58,6 +66,10 @@ CurveOptions curveOptions(const nb::dict& values) {
     }
     readChosen(values, ofSolver, options.solver);
     readChosen(values, ofSampling, options.sampling);
+    if (values.contains("pick_tolerance")) {
+        options.pickTolerances =
+            pickTolerancesOf(std::get<std::string>(valueOf(values["pick_tolerance"])));
+    }
     if (values.contains("corners")) {
         const nb::handle corners = values["corners"];
         options.corners.areAll = nb::isinstance<nb::str>(corners);  // "all"

@@ -59,9 +59,29 @@ nb::tuple svgDrawing(const std::string& file, const nb::tuple& root) {
 }
 
 // (drawing, notes)
-nb::tuple dxfDrawing(const std::string& file, const nb::bytes& bytes) {
-    DrawingFile read = drawingOfDxf(file, std::string_view(bytes.c_str(), bytes.size()), {});
+nb::tuple dxfDrawing(
+    const std::string& file, const nb::bytes& bytes, const std::vector<std::string>& layers
+) {
+    DrawingFile read = drawingOfDxf(file, std::string_view(bytes.c_str(), bytes.size()), layers);
     return nb::make_tuple(std::move(read.drawing), read.notes);
+}
+
+/// For each path whether it is closed, and its Bézier arcs: points and weights, none where all
+/// are 1.
+nb::list pathsOf(const Drawing& drawing) {
+    nb::list paths;
+    for (const DrawingPath& path : drawing.paths) {
+        nb::list arcs;
+        for (const DrawingArc& arc : path.arcs) {
+            nb::list points;
+            for (const Vec2& point : arc.points) {
+                points.append(nb::make_tuple(point.x(), point.y()));
+            }
+            arcs.append(nb::make_tuple(std::move(points), nb::cast(arc.weights)));
+        }
+        paths.append(nb::make_tuple(path.closed, std::move(arcs)));
+    }
+    return paths;
 }
 
 /// Of path data as SVG has it, y downwards.
@@ -181,9 +201,9 @@ nb::tuple pattern(
 }  // namespace
 
 void bindPattern(nb::module_& module) {
-    nb::class_<Drawing>(module, "Drawing").def_prop_ro("path_count", [](const Drawing& drawing) {
-        return drawing.paths.size();
-    });
+    nb::class_<Drawing>(module, "Drawing")
+        .def_prop_ro("path_count", [](const Drawing& drawing) { return drawing.paths.size(); })
+        .def_prop_ro("paths", pathsOf);
     module.def("svg_drawing", svgDrawing);
     module.def("dxf_drawing", dxfDrawing);
     module.def("path_drawing", pathDrawing);

@@ -5,11 +5,17 @@
 #include "python/core/bindings.h"
 #include "python/core/python_progress.h"
 
+#include <nanobind/stl/array.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
+#include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -25,11 +31,28 @@ DesignedCurve curveOf(SurfacePolyline line) {
     return {.curve = std::move(curve)};
 }
 
-/// A polyline in space, projected onto the mesh.
-DesignedCurve projected(const Mesh& mesh, const Points& points, bool closed, double distance) {
+/// A polyline in space, projected onto the mesh, along a direction where there is one: its parts,
+/// and what is to be said of them; empty: nothing.
+std::pair<std::vector<DesignedCurve>, std::string> projected(
+    const Mesh& mesh,
+    const Points& points,
+    bool closed,
+    double distance,
+    const std::optional<std::array<double, 3>>& direction
+) {
     const SpacePolyline line{.points = toVectors(points), .closed = closed};
+    ProjectionOptions options{.distance = distance};
+    if (direction) {
+        options.direction = Vec3(direction->data());
+    }
     const nb::gil_scoped_release unlocked;
-    return curveOf(projectedPolyline(*mesh.workpiece, line, distance));
+    ProjectedLines found = projectedLines(*mesh.workpiece, line, options);
+    std::string note = projectionNote({&found, 1});
+    std::vector<DesignedCurve> curves;
+    for (SurfacePolyline& each : found.lines) {
+        curves.push_back(curveOf(std::move(each)));
+    }
+    return {std::move(curves), std::move(note)};
 }
 
 std::vector<SurfacePoint> pointsOf(const Ids& faces, const Points& barycentrics) {
@@ -81,7 +104,9 @@ Array distances(
 }  // namespace
 
 void bindWays(nb::module_& module) {
-    module.def("projected", projected);
+    module.def(
+        "projected", projected, nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg().none()
+    );
     module.def("shortest_way", shortestWay);
     module.def(
         "distances",

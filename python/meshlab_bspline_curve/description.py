@@ -43,7 +43,9 @@ def checked_option(parameter: Mapping[str, Any], value: object) -> bool | int | 
         if not isinstance(value, (bool, np.bool_)):
             raise TypeError(f"{name} is {value!r}, but must be True or False")
         return bool(value)
-    if kind == "length" and isinstance(value, Real) and not isinstance(value, bool):
+    if kind == "tolerances" and isinstance(value, (list, tuple, np.ndarray)) and np.ndim(value) > 0:  # one for each pick
+        return ", ".join(str(checked_option(parameter, each)) for each in value)
+    if kind in ("length", "tolerances") and isinstance(value, Real) and not isinstance(value, bool):
         return repr(float(value))
     if not isinstance(value, str):
         raise TypeError(f"{name} is {value!r}, but must be text")

@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 from typing import Literal, TypeAlias
 
 import numpy.typing as npt
@@ -49,7 +50,8 @@ def draw_curve(
     quality: npt.ArrayLike | None = None,
     field_weight: float = 2000.0,
     tube_radius: float = 0.0,
-    pick_tolerance: float | str = "0",
+    pick_tolerance: float | str | Sequence[float | str] = "0",
+    pick_distance: float = 0.0,
     corners: str = "",
     tangents: str = "",
     field_cost: FieldCost = "natural",
@@ -139,9 +141,13 @@ def draw_curve(
     tube_radius : float ≥ 0, default 0.0
         A closed tube mesh around the curve is made too, with this radius in the unit of the mesh, at most its diagonal.
         0: none.
-    pick_tolerance : float or str, default '0'
+    pick_tolerance : float or str, or a sequence of these, default '0'
         How far from each pick the curve may pass: it is as fair as possible within that distance. A length in the unit
-        of the mesh, or in mean edges of it, as 1.5 edges. 0: it passes the picks.
+        of the mesh, or in mean edges of it, as 1.5 edges, for all picks; or one for each, as 0.4, 0, 1.5 edges. 0: it
+        passes the picks. In place of a length, weight 100: no bound, but a pull that grows with the distance.
+    pick_distance : float ≥ 0, default 0.0
+        Picks that are farther from the mesh are refused; the others are moved to its nearest point. 0: 1 % of the
+        diagonal.
     corners : str, optional
         Picks at which the curve turns, by their numbers from 1, as 1,4; all: every pick. It passes them, and is as fair
         as possible on either side.
@@ -314,6 +320,7 @@ def draw_curve(
             "field_weight": field_weight,
             "tube_radius": tube_radius,
             "pick_tolerance": pick_tolerance,
+            "pick_distance": pick_distance,
             "corners": corners,
             "tangents": tangents,
             "field_cost": field_cost,

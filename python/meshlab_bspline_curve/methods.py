@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any, Literal, TypeAlias
 
 import pymeshlab
@@ -40,6 +41,8 @@ Profile: TypeAlias = Literal["step", "ramp", "round"]
 Side: TypeAlias = Literal["both", "left", "right"]
 Place: TypeAlias = Literal["point", "curve"]
 Boundaries: TypeAlias = Literal["selected-faces", "face-quality", "face-colour", "vertex-quality"]
+Edit: TypeAlias = Literal["join", "split", "trim", "extend", "reverse"]
+Ends: TypeAlias = Literal["end", "start", "both"]
 
 
 def generate_bspline_curve_on_surface(
@@ -52,7 +55,8 @@ def generate_bspline_curve_on_surface(
     field: Field = "none",
     field_weight: float = 2000.0,
     tube_radius: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
-    pick_tolerance: float | str = "0",
+    pick_tolerance: float | str | Sequence[float | str] = "0",
+    pick_distance: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
     corners: str = "",
     tangents: str = "",
     picks_layer: int | None = None,
@@ -146,9 +150,13 @@ def generate_bspline_curve_on_surface(
     tube_radius : float ≥ 0, default 0.0
         A closed tube mesh around the curve becomes a layer too, with this radius in the unit of the mesh, at most its
         diagonal. 0: no tube.
-    pick_tolerance : float or str, default '0'
+    pick_tolerance : float or str, or a sequence of these, default '0'
         How far from each pick the curve may pass: it is as fair as possible within that distance. A length in the unit
-        of the mesh, or in mean edges of it, as 1.5 edges. 0: it passes the picks.
+        of the mesh, or in mean edges of it, as 1.5 edges, for all picks; or one for each, as 0.4, 0, 1.5 edges. 0: it
+        passes the picks. In place of a length, weight 100: no bound, but a pull that grows with the distance.
+    pick_distance : float ≥ 0, default 0.0
+        Picks that are farther from the mesh are refused; the others are moved to its nearest point. 0: 1 % of the
+        diagonal.
     corners : str, optional
         Picks at which the curve turns, by their numbers from 1, as 1,4; all: every pick. It passes them, and is as fair
         as possible on either side.
@@ -335,6 +343,7 @@ def generate_bspline_curve_on_surface(
             "field_weight": field_weight,
             "tube_radius": tube_radius,
             "pick_tolerance": pick_tolerance,
+            "pick_distance": pick_distance,
             "corners": corners,
             "tangents": tangents,
             "picks_layer": picks_layer,
@@ -500,6 +509,7 @@ def imprint_curves(
     surface_layer: int | None = None,
     curve_layer: int | None = None,
     max_distance: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
+    direction: str = "",
     project_curves: bool = False,
     snap: float = 1e-09,
     strict: bool = False,
@@ -526,7 +536,12 @@ def imprint_curves(
         MeshLab's window the current layer is chosen if it is a curve.
     max_distance : float ≥ 0, default 0.0
         Polylines are projected onto the mesh; one that is farther away anywhere is refused. Curves that this plugin
-        drew on the surface know their faces and are taken exactly. 0: 1 % of the diagonal.
+        drew on the surface know their faces and are taken exactly. 0: 1 % of the diagonal, along a direction any
+        distance.
+    direction : str, optional
+        "x y z": polylines are draped: each of their points is moved along this direction to the first face that is met
+        there, coming from outside, however far away. A warning tells where a line jumps, and where it is parted since
+        it is beside the mesh. Empty: to the nearest point.
     project_curves : bool, default False
         Projects also curves that know their faces, as for a mesh that changed since they were drawn, which is refused
         otherwise.
@@ -560,6 +575,7 @@ def imprint_curves(
             "surface_layer": surface_layer,
             "curve_layer": curve_layer,
             "max_distance": max_distance,
+            "direction": direction,
             "project_curves": project_curves,
             "snap": snap,
             "strict": strict,
@@ -588,6 +604,7 @@ def cut_along_curves(
     base: float = 0.0,
     base_direction: str = "",
     base_height: float = 0.0,
+    direction: str = "",
     project_curves: bool = False,
     snap: float = 1e-09,
     strict: bool = False,
@@ -632,7 +649,8 @@ def cut_along_curves(
         outside or seed.
     max_distance : float ≥ 0, default 0.0
         Polylines are projected onto the mesh; one that is farther away anywhere is refused. Curves that this plugin
-        drew on the surface know their faces and are taken exactly. 0: 1 % of the diagonal.
+        drew on the surface know their faces and are taken exactly. 0: 1 % of the diagonal, along a direction any
+        distance.
     drop_untouched : bool, default False
         Drops components that no curve parts as well; a seed keeps one. Only with keep largest or smallest or inside or
         outside or seed.
@@ -659,6 +677,10 @@ def cut_along_curves(
     base_height : float, default 0.0
         Where the plane of the base is, along its direction from the origin, if the length of the base is 0 and a
         direction is given.
+    direction : str, optional
+        "x y z": polylines are draped: each of their points is moved along this direction to the first face that is met
+        there, coming from outside, however far away. A warning tells where a line jumps, and where it is parted since
+        it is beside the mesh. Empty: to the nearest point.
     project_curves : bool, default False
         Projects also curves that know their faces, as for a mesh that changed since they were drawn, which is refused
         otherwise.
@@ -705,6 +727,7 @@ def cut_along_curves(
             "base": base,
             "base_direction": base_direction,
             "base_height": base_height,
+            "direction": direction,
             "project_curves": project_curves,
             "snap": snap,
             "strict": strict,
@@ -721,6 +744,7 @@ def segment_by_curves(
     curve_layer: int | None = None,
     split: bool = False,
     max_distance: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
+    direction: str = "",
     project_curves: bool = False,
     snap: float = 1e-09,
     strict: bool = False,
@@ -748,7 +772,12 @@ def segment_by_curves(
         Makes a layer of each part at curves, the largest first, and one of all that no curve parts.
     max_distance : float ≥ 0, default 0.0
         Polylines are projected onto the mesh; one that is farther away anywhere is refused. Curves that this plugin
-        drew on the surface know their faces and are taken exactly. 0: 1 % of the diagonal.
+        drew on the surface know their faces and are taken exactly. 0: 1 % of the diagonal, along a direction any
+        distance.
+    direction : str, optional
+        "x y z": polylines are draped: each of their points is moved along this direction to the first face that is met
+        there, coming from outside, however far away. A warning tells where a line jumps, and where it is parted since
+        it is beside the mesh. Empty: to the nearest point.
     project_curves : bool, default False
         Projects also curves that know their faces, as for a mesh that changed since they were drawn, which is refused
         otherwise.
@@ -783,6 +812,7 @@ def segment_by_curves(
             "curve_layer": curve_layer,
             "split": split,
             "max_distance": max_distance,
+            "direction": direction,
             "project_curves": project_curves,
             "snap": snap,
             "strict": strict,
@@ -801,6 +831,7 @@ def offset_curve_on_surface(
     side: Side = "both",
     select_band: bool = False,
     max_distance: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
+    direction: str = "",
     project_curves: bool = False,
     strict: bool = False,
     weld: float = 0.0,
@@ -830,7 +861,12 @@ def offset_curve_on_surface(
         Selects the faces of the surface whose middle is within the distance, on the side asked for.
     max_distance : float ≥ 0, default 0.0
         Polylines are projected onto the mesh; one that is farther away anywhere is refused. Curves that this plugin
-        drew on the surface know their faces and are taken exactly. 0: 1 % of the diagonal.
+        drew on the surface know their faces and are taken exactly. 0: 1 % of the diagonal, along a direction any
+        distance.
+    direction : str, optional
+        "x y z": polylines are draped: each of their points is moved along this direction to the first face that is met
+        there, coming from outside, however far away. A warning tells where a line jumps, and where it is parted since
+        it is beside the mesh. Empty: to the nearest point.
     project_curves : bool, default False
         Projects also curves that know their faces, as for a mesh that changed since they were drawn, which is refused
         otherwise.
@@ -864,6 +900,7 @@ def offset_curve_on_surface(
             "side": side,
             "select_band": select_band,
             "max_distance": max_distance,
+            "direction": direction,
             "project_curves": project_curves,
             "strict": strict,
             "weld": weld,
@@ -883,6 +920,7 @@ def pattern_on_surface(
     centre: str = "",
     curve_layer: int | None = None,
     size: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
+    layers: str = "",
     scale: float = 0.0,
     up: str = "",
     repeat: int = 0,
@@ -893,6 +931,7 @@ def pattern_on_surface(
     tolerance: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
     corner_angle: float = 20.0,
     max_distance: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
+    direction: str = "",
     project_curves: bool = False,
     strict: bool = False,
     weld: float = 0.0,
@@ -931,6 +970,9 @@ def pattern_on_surface(
     size : float ≥ 0, default 0.0
         The longer side of the drawing, or of the whole text, in the unit of the mesh. 0: as Scale says; if that is 0 as
         well, 10 % of the diagonal, or along a curve so that copies touch.
+    layers : str, optional
+        The layers of a DXF to read, with commas between them, also where they are off. Empty: all that are not off or
+        frozen.
     scale : float ≥ 0, default 0.0
         Units of the mesh for one of the drawing (of a text: for the height of the font, its em). 0: as Size says.
     up : str, optional
@@ -956,7 +998,12 @@ def pattern_on_surface(
         Paths are parted into curves where they turn by more than this, in degrees.
     max_distance : float ≥ 0, default 0.0
         Polylines are projected onto the mesh; one that is farther away anywhere is refused. Curves that this plugin
-        drew on the surface know their faces and are taken exactly. 0: 1 % of the diagonal.
+        drew on the surface know their faces and are taken exactly. 0: 1 % of the diagonal, along a direction any
+        distance.
+    direction : str, optional
+        "x y z": polylines are draped: each of their points is moved along this direction to the first face that is met
+        there, coming from outside, however far away. A warning tells where a line jumps, and where it is parted since
+        it is beside the mesh. Empty: to the nearest point.
     project_curves : bool, default False
         Projects also curves that know their faces, as for a mesh that changed since they were drawn, which is refused
         otherwise.
@@ -992,6 +1039,7 @@ def pattern_on_surface(
             "centre": centre,
             "curve_layer": curve_layer,
             "size": size,
+            "layers": layers,
             "scale": scale,
             "up": up,
             "repeat": repeat,
@@ -1002,6 +1050,7 @@ def pattern_on_surface(
             "tolerance": tolerance,
             "corner_angle": corner_angle,
             "max_distance": max_distance,
+            "direction": direction,
             "project_curves": project_curves,
             "strict": strict,
             "weld": weld,
@@ -1100,6 +1149,208 @@ def fit_curve_to_selection_boundary(
     )
 
 
+def edit_curve_on_surface(
+    self: pymeshlab.MeshSet,
+    *,
+    surface_layer: int | None = None,
+    curve_layer: int | None = None,
+    edit: Edit = "join",
+    at: str = "0.25, 0.75",
+    extension: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
+    ends: Ends = "end",
+    smooth: bool = False,
+    max_distance: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
+    gap: float | str = "1 edges",
+    blend: float | str = "3 edges",
+    direction: str = "",
+    project_curves: bool = False,
+    strict: bool = False,
+    weld: float = 0.0,
+    slits: bool = False,
+) -> dict[str, Any]:
+    """Joins curves, cuts them, turns them round, or makes them longer.
+
+    Joins curves, cuts them, turns them round, or makes them longer, along the surface. Each result is a new layer with
+    a curve like others, whose spline is the same one where nothing was added; the layers that it is made of are hidden.
+    It is no longer one that is drawn through its picks: to draw it again, change the curves that it is made of.
+
+    Parameters
+    ----------
+    surface_layer : int, optional
+        The layer with the triangle mesh. Default: the current layer. If that has no faces, or is the tube of a curve:
+        the layer that it was drawn on, else the only other layer with faces.
+    curve_layer : int, optional
+        A layer of polylines: edges without faces. The surface itself (default) stands for its visible curves, and for
+        visible polylines near it that belong to no other layer. Results of filters (offsets, patterns) are taken where
+        they are chosen here, or where no such curve is visible; else, curves of other surfaces that are near. In
+        MeshLab's window the current layer is chosen if it is a curve.
+    edit : {'join', 'split', 'trim', 'extend', 'reverse'}, default 'join'
+        What is done with the curves. join: all curves become one, each joined to those before by the ends that are
+        nearest; it goes the way of the first; split: the parts between parameters, each a curve of its own; trim: the
+        part between two parameters; extend: goes on along the surface, as straight as that lets it, or to the boundary;
+        reverse: from the end to the start.
+    at : str, default '0.25, 0.75'
+        Parameters t in [0, 1], with commas between them; two for trim. Of a closed curve that is trimmed the first may
+        be larger: the part leads over the curve's start then. Only with edit split or trim.
+    extension : float ≥ 0, default 0.0
+        By how much a curve becomes longer, at each end that is meant. 0: 2 % of the diagonal. Only with edit extend.
+    ends : {'end', 'start', 'both'}, default 'end'
+        Where a curve becomes longer. end: behind its last point; start: before its first point; both: at either end.
+        Only with edit extend.
+    smooth : bool, default False
+        Curves meet with one direction; else at corners. Only with edit join.
+    max_distance : float ≥ 0, default 0.0
+        Polylines are projected onto the mesh; one that is farther away anywhere is refused. Curves that this plugin
+        drew on the surface know their faces and are taken exactly. 0: 1 % of the diagonal, along a direction any
+        distance.
+    gap : float or str, default '1 edges'
+        How far apart the ends that are joined may be: a length in the unit of the mesh, or in mean edges of it, as 1.5
+        edges. A curve through both bridges the gap. Only with edit join.
+    blend : float or str, default '3 edges'
+        Of a smooth joint: how much of either curve, but at most a third of it, gives way to it, likewise. Not used
+        where the curves meet with one direction already. Only with edit join.
+    direction : str, optional
+        "x y z": polylines are draped: each of their points is moved along this direction to the first face that is met
+        there, coming from outside, however far away. A warning tells where a line jumps, and where it is parted since
+        it is beside the mesh. Empty: to the nearest point.
+    project_curves : bool, default False
+        Projects also curves that know their faces, as for a mesh that changed since they were drawn, which is refused
+        otherwise.
+    strict : bool, default False
+        Refuses a mesh with duplicate faces, faces without area, edges or vertices that are not manifold, or faces
+        turned opposite ways, and names them. Off: a mended copy is taken; the mesh is not changed.
+    weld : float in [0, 0.01], default 0.0
+        Joins vertices of a copy that are within this distance of each other, relative to the diagonal of the mesh; 0:
+        none. For parts that only look joined.
+    slits : bool, default False
+        Leaves the mesh open where boundary edges lie on each other, as along seams of texture coordinates. Off: both
+        sides are joined on a copy; the mesh is not changed.
+
+    Returns
+    -------
+    dict
+        Figures, by name.
+
+    Raises
+    ------
+    pymeshlab.PyMeshLabException
+        The filter refuses something, or fails; the message says why.
+    """
+    return apply(
+        self,
+        "edit_curve_on_surface",
+        {
+            "surface_layer": surface_layer,
+            "curve_layer": curve_layer,
+            "edit": edit,
+            "at": at,
+            "extension": extension,
+            "ends": ends,
+            "smooth": smooth,
+            "max_distance": max_distance,
+            "gap": gap,
+            "blend": blend,
+            "direction": direction,
+            "project_curves": project_curves,
+            "strict": strict,
+            "weld": weld,
+            "slits": slits,
+        },
+    )
+
+
+def points_on_curve(
+    self: pymeshlab.MeshSet,
+    *,
+    surface_layer: int | None = None,
+    curve_layer: int | None = None,
+    count: int = 20,
+    distances: str = "",
+    at_picks: bool = False,
+    max_distance: float | pymeshlab.PercentageValue | pymeshlab.PureValue = 0.0,
+    direction: str = "",
+    project_curves: bool = False,
+    strict: bool = False,
+    weld: float = 0.0,
+    slits: bool = False,
+) -> dict[str, Any]:
+    """Places points along curves, at equal distances, at chosen ones or at the picks.
+
+    Places points along curves, on the surface: semilandmarks of morphometrics, drill holes, poses of a tool. They are
+    one new layer, in the order of the curves, which is a layer of picks as well. A point has its distance along the
+    curve as quality and the surface's normal, at right angles to the curve, as its own. Attributes of vertices hold the
+    rest: curve (from 0), distance, tangent, left (to the left of the curve, seen with the normal upwards), curvature (1
+    / radius), normal_curvature, geodesic_curvature, face_index and barycentric. Curvatures are those of the spline
+    where this plugin drew the curve, else of a parabola through three points, 1 % of the length apart.
+
+    Parameters
+    ----------
+    surface_layer : int, optional
+        The layer with the triangle mesh. Default: the current layer. If that has no faces, or is the tube of a curve:
+        the layer that it was drawn on, else the only other layer with faces.
+    curve_layer : int, optional
+        A layer of polylines: edges without faces. The surface itself (default) stands for its visible curves, and for
+        visible polylines near it that belong to no other layer. Results of filters (offsets, patterns) are taken where
+        they are chosen here, or where no such curve is visible; else, curves of other surfaces that are near. In
+        MeshLab's window the current layer is chosen if it is a curve.
+    count : int in [1, 1e+07], default 20
+        Of each curve, at equal distances along it: those of an open one with both ends, those of a closed one from its
+        start on.
+    distances : str, optional
+        In place of a number: distances of the points along each curve from its start, in the unit of the mesh, with
+        commas between them. A closed curve begins anew after its length.
+    at_picks : bool, default False
+        In place of a number: the points where the picks of the curves are. The layers must be curves of this plugin.
+    max_distance : float ≥ 0, default 0.0
+        Polylines are projected onto the mesh; one that is farther away anywhere is refused. Curves that this plugin
+        drew on the surface know their faces and are taken exactly. 0: 1 % of the diagonal, along a direction any
+        distance.
+    direction : str, optional
+        "x y z": polylines are draped: each of their points is moved along this direction to the first face that is met
+        there, coming from outside, however far away. A warning tells where a line jumps, and where it is parted since
+        it is beside the mesh. Empty: to the nearest point.
+    project_curves : bool, default False
+        Projects also curves that know their faces, as for a mesh that changed since they were drawn, which is refused
+        otherwise.
+    strict : bool, default False
+        Refuses a mesh with duplicate faces, faces without area, edges or vertices that are not manifold, or faces
+        turned opposite ways, and names them. Off: a mended copy is taken; the mesh is not changed.
+    weld : float in [0, 0.01], default 0.0
+        Joins vertices of a copy that are within this distance of each other, relative to the diagonal of the mesh; 0:
+        none. For parts that only look joined.
+    slits : bool, default False
+        Leaves the mesh open where boundary edges lie on each other, as along seams of texture coordinates. Off: both
+        sides are joined on a copy; the mesh is not changed.
+
+    Returns
+    -------
+    dict
+        Figures, by name.
+
+    Raises
+    ------
+    pymeshlab.PyMeshLabException
+        The filter refuses something, or fails; the message says why.
+    """
+    return apply(
+        self,
+        "points_on_curve",
+        {
+            "surface_layer": surface_layer,
+            "curve_layer": curve_layer,
+            "count": count,
+            "distances": distances,
+            "at_picks": at_picks,
+            "max_distance": max_distance,
+            "direction": direction,
+            "project_curves": project_curves,
+            "strict": strict,
+            "weld": weld,
+            "slits": slits,
+        },
+    )
+
+
 def bind() -> None:
     """Makes them methods of pymeshlab.MeshSet."""
     pymeshlab.MeshSet.generate_bspline_curve_on_surface = generate_bspline_curve_on_surface
@@ -1110,3 +1361,5 @@ def bind() -> None:
     pymeshlab.MeshSet.offset_curve_on_surface = offset_curve_on_surface
     pymeshlab.MeshSet.pattern_on_surface = pattern_on_surface
     pymeshlab.MeshSet.fit_curve_to_selection_boundary = fit_curve_to_selection_boundary
+    pymeshlab.MeshSet.edit_curve_on_surface = edit_curve_on_surface
+    pymeshlab.MeshSet.points_on_curve = points_on_curve

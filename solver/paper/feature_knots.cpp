@@ -2,7 +2,7 @@
 #include "solver/paper/feature_knots.h"
 
 #include "solver/barrier.h"
-#include "solver/paper/sample_walker.h"
+#include "solver/sample_walker.h"
 
 #include <algorithm>
 #include <cmath>

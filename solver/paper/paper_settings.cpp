@@ -2,7 +2,7 @@
 #include "solver/paper/paper_settings.h"
 
 #include "solver/paper/feature_knots.h"
-#include "solver/paper/sample_walker.h"
+#include "solver/sample_walker.h"
 
 #include <algorithm>
 #include <cmath>
@@ -77,9 +77,12 @@ void PaperSettings::adjustNext(
     }
 }
 
-std::vector<double> PaperSettings::chooseBreaks(
+std::optional<std::vector<double>> PaperSettings::chooseBreaks(
     const Energy& energy, const EnergyWeights& weights, double scale, bool isNear
 ) {
+    if (problem_.options.knotRule != KnotRule::FeatureFunction) {
+        return std::nullopt;
+    }
     const PaperOptions& paper = problem_.options.paper;
     const FeatureFunction feature =
         featureFunction(problem_, energy.space(), energy.controls(), weights);

@@ -3,31 +3,29 @@
 
 namespace bspline_curve {
 
-double addPickPenalty(
-    double chordLength,
-    const SplineSpace& space,
-    const std::vector<InterpolationRow>& rows,
+void PickPenalty::add(
     const ControlPoints& controls,
-    double beta,
+    const EnergyWeights& weights,
+    EnergyTerms& terms,
     EnergyDerivatives* derivatives
-) {
-    const double scale = 1.0 / (static_cast<double>(rows.size()) * chordLength * chordLength);
-    double energy = 0.0;
-    for (const InterpolationRow& row : rows) {
+) const {
+    const double beta = weights.beta;
+    const double scale = 1.0 / (static_cast<double>(rows_.size()) * chordLength_ * chordLength_);
+    for (const InterpolationRow& row : rows_) {
         Vec3 gap = -row.target;
-        for (int j = 0; j < space.basisCount(); ++j) {
-            gap += row.values[j] * controls.row(space.control(row.span, j)).transpose();
+        for (int j = 0; j < space_.basisCount(); ++j) {
+            gap += row.values[j] * controls.row(space_.control(row.span, j)).transpose();
         }
-        energy += scale * gap.squaredNorm();
+        terms.fit += scale * gap.squaredNorm();
         if (derivatives == nullptr || beta == 0.0) {
             continue;
         }
-        for (int j = 0; j < space.basisCount(); ++j) {
-            derivatives->gradient.segment<3>(3 * space.control(row.span, j)) +=
+        for (int j = 0; j < space_.basisCount(); ++j) {
+            derivatives->gradient.segment<3>(3 * space_.control(row.span, j)) +=
                 row.values[j] * (2.0 * scale * beta * gap);
             for (int k = 0; k <= j; ++k) {
                 // Rounded as in the lower triangle of the whole Hessian.
-                const bool wraps = space.control(row.span, j) < space.control(row.span, k);
+                const bool wraps = space_.control(row.span, j) < space_.control(row.span, k);
                 const double value =
                     2.0 * scale * beta * row.values[wraps ? j : k] * row.values[wraps ? k : j];
                 derivatives->hessian[row.span][blockIndex(j, k)] +=
@@ -35,7 +33,6 @@ double addPickPenalty(
             }
         }
     }
-    return energy;
 }
 
 }  // namespace bspline_curve

@@ -74,7 +74,7 @@ def test_layers_of_a_dxf_are_chosen(run, refused, plate):
 def test_picks_are_read_from_farther_away_where_that_is_asked_for(run, refused, plate):
     (plate / "far.txt").write_text("A,0.1,0.1,0.1\nB,0.9,0.8,0.1\n")
     refused(1, "plate.ply", "--picks", "far.txt", "--output", "a.json", says=["1 % of the diagonal"])
-    refused(1, "plate.ply", "--picks", "far.txt", "--pick-distance", 0.05, "--output", "a.json", says=["--pick-distance"])
+    refused(1, "plate.ply", "--picks", "far.txt", "--pick-distance", 0.05, "--output", "a.json", says=["from the surface, more than is allowed (0.05)"])
     run.ok("plate.ply", "--picks", "far.txt", "--pick-distance", 0.2, "--output", "a.json")
     ends = np.array(report_of(plate / "a.json")["polyline"]["points"])[[0, -1]]
     assert np.allclose(ends, [[0.1, 0.1, 0], [0.9, 0.8, 0]], rtol=0, atol=1e-12)

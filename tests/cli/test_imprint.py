@@ -137,3 +137,22 @@ def test_every_verb_draws_curves_through_picks_first(run, refused, tmp_path, dra
     refused(2, "imprint", "hill.ply", *CURVES, *options, "--output", "out.ply", says=["options of curves are for --picks"])
     (tmp_path / "off.json").write_text(json.dumps({"picks": [ring[0], [9, 9, 9]]}))
     refused(1, "cut", "hill.ply", "--picks", "off.json", "--output", "out.ply", says=["pick 2"])
+
+
+def test_lines_are_draped_along_a_direction_with_a_note(run, refused, tmp_path):
+    """A plan far above a hill that it leaves: its shadow, in two parts."""
+    meshes.write_ply(tmp_path / "hill.ply", *meshes.plate(height=0.2))
+    plan = np.array([[0.2, 0.3, 5], [0.8, 0.4, 9], [1.3, 0.5, 5], [0.8, 0.6, 5], [0.2, 0.7, 5]])
+    (tmp_path / "plan.obj").write_text("".join("v %g %g %g\n" % tuple(p) for p in plan) + "l 1 2 3 4 5\n")
+    refused(1, "imprint", "hill.ply", "--curve", "plan.obj", "--output", "out.ply", says=["is not near the mesh"])
+    note = run.ok("imprint", "hill.ply", "--curve", "plan.obj", "--direction", "0,0,-1", "--output", "out.ply", "--map", "map.json").stderr
+    assert "plan.obj: along the direction it is beside the mesh 1 time (first behind vertex 1), and parted there" in note
+    made = json.loads((tmp_path / "map.json").read_text())
+    assert [curve["closed"] for curve in made["curves"]] == [False, False]
+    run.ok("points", "hill.ply", "--curve", "plan.obj", "--direction", "0,0,-1", "--distances", "0", "--output", "points.json")
+    starts = [curve["points"][0]["position"] for curve in json.loads((tmp_path / "points.json").read_text())["curves"]]
+    assert np.allclose(np.array(starts)[:, :2], [[0.2, 0.3], [1, 0.56]], rtol=0, atol=1e-12)
+    refused(1, "imprint", "hill.ply", "--curve", "plan.obj", "--direction", "1,0,0", "--output", "b.ply", says=["nothing of it meets"])
+    refused(2, "imprint", "hill.ply", "--curve", "plan.obj", "--direction", "0,0,0", "--output", "b.ply", says=["not all 0"])
+    refused(1, "cut", "hill.ply", "--curve", "plan.obj", "--direction", "0,0,-1", "--max-distance", 1, "--output", "b.ply",
+            says=["away from the mesh along the direction"])

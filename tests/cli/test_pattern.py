@@ -93,6 +93,8 @@ def test_refusals(run, refused, scene):
     refused(1, *pattern, "--centre", "0.5,0.5,0", "--size", 1.2, says=["path 0", "beyond the boundary"])
     refused(1, "pattern", "plate.ply", "--drawing", "no.svg", "--centre", "0.5,0.5,0", "--output", "p.json", says=["no.svg"])
     refused(1, "pattern", "plate.ply", "--drawing", "star.svg", "--centre", "0.5,0.5,0", "--output", "p.csv", says=["holds one curve"])
+    refused(1, *pattern, "--centre", "0.5,0.5,0", "--layers", "a", says=["star.svg: layers are chosen in .dxf alone"])
+    refused(2, *pattern, "--centre", "0.5,0.5,0", "--direction", "0,0,1", says=["--along"])
     (scene / "empty.json").write_text('{"curves": []}')
     refused(1, *pattern, "--along", "empty.json", says=["no list of curves"])
 

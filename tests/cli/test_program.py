@@ -94,6 +94,34 @@ def test_a_tolerance_of_picks_that_is_no_length_is_refused(run, plate, text):
     assert result.returncode == 2 and "must be a length" in result.stderr and "--pick-tolerance" in result.stderr
 
 
+def test_each_pick_may_have_a_tolerance_of_its_own(run, plate):
+    def distances(*words):
+        run.ok(*DEFAULT[:-1], "near.json", *words, "--report", "report.json")
+        return json.loads((plate / "report.json").read_text())["pick_distances"]
+
+    for words in ("0.02,0,1edge", "0.02, 0, 1 edges"):
+        first, second, third = distances("--pick-tolerance", words)
+        assert second < 1e-9 and first <= 0.02 and third > 1e-6
+    assert max(distances("--pick-tolerance", "0,0.02,0")) > 0.001
+    # Weights draw, and bound nothing; a larger one draws harder.
+    near, nearer = (distances("--pick-tolerance", f"0, weight {weight}, 0")[1] for weight in (100, 10000))
+    assert 1e-6 < nearer < near
+    # A file of picks says it of its own, and the option goes before it.
+    document = json.loads((plate / "picks.json").read_text())
+    (plate / "picks.json").write_text(json.dumps({**document, "tolerances": [0, "weight 100", 0.0]}))
+    assert distances()[1] == near
+    assert distances("--pick-tolerance", "0,0.02,0") != distances()
+    for wrong, said in (([0.1], "3 entries"), ([0, "far", 0], "must be a length"), (0.1, "one for each"), ([0, -1, 0], "not negative")):
+        (plate / "bad.json").write_text(json.dumps({**document, "tolerances": wrong}))
+        bad = run(*["bad.json" if word == "picks.json" else word for word in DEFAULT])
+        assert bad.returncode == 1 and "tolerances" in bad.stderr and said in bad.stderr, bad.stderr
+
+
+def test_as_many_tolerances_as_picks_are_wanted(run, plate):
+    result = run(*DEFAULT, "--pick-tolerance", "0.1,0.2")
+    assert result.returncode == 1 and "2 pick tolerances for 3 picks" in result.stderr, result.stderr
+
+
 def test_a_curve_turns_at_its_corners_and_passes_picks_in_given_directions(run, plate):
     run.ok(*DEFAULT[:-1], "curve.json", "--corners", "2", "--tangents", "1: 0, 1, 0.5; 3: 0,-2,0", "--report", "report.json")
     spline = json.loads((plate / "curve.json").read_text())["spline"]

@@ -21,7 +21,7 @@ OF_HOSTS = {"surface_layer", "replace", "picks_layer", "picks_file", "picks", "f
 # What the program alone has.
 OF_PROGRAM = {
     (): {"picks", "output", "report", "repeat", "require-usable", "no-cache", "field-region",
-         "field-region-under", "field-region-over", "pick-distance", "unit", "quiet"},
+         "field-region-under", "field-region-over", "unit", "quiet"},
     ("field",): {"output", "report", "region", "region-under", "region-over", "quiet"},
     ("shell",): {"output", "report", "check", "conforming-to-surface", "no-cache", "quiet"},
 }

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <span>
 #include <vector>
 
 namespace bspline_curve {
@@ -136,6 +137,78 @@ TEST(NearCurves, PassPicksWhoseOwnToleranceIsZero) {
     EXPECT_LT(distanceToPolyline(picks[7], curve.polyline), 1e-9);
 }
 
+TEST(NearCurves, AreNearerToPicksOfMoreWeight) {
+    const CurveDesigner designer(jitteredPlate(40, 40, 0.2, 3));
+    const std::vector<Vec3> picks = shakyWave(0.012);
+    double before = 1.0;
+    for (const double weight : {1e3, 1e4, 1e5}) {
+        std::vector<double> weights(picks.size(), weight);
+        weights.front() = 0.0;  // which the curve passes, as its tolerance is 0
+        CurveInputs inputs;
+        inputs.pickWeights = weights;
+        const Curve curve = designer.design(picks, {}, {}, inputs);
+        ASSERT_TRUE(curve.report.usable);
+        expectNear(curve, picks, 0.1);
+        EXPECT_LT(distanceToPolyline(picks[0], curve.polyline), 1e-9);
+        double squares = 0.0;
+        for (const double distance : curve.report.pickDistances) {
+            squares += distance * distance;
+        }
+        EXPECT_LT(squares, before);
+        before = squares;
+    }
+    // One that draws harder than all others is met as nearly as splines follow their paths.
+    std::vector<double> weights(picks.size(), 1e3);
+    CurveInputs inputs;
+    inputs.pickWeights = weights;
+    const double without = designer.design(picks, {}, {}, inputs).report.pickDistances[7];
+    weights[7] = 1e9;
+    const double with = designer.design(picks, {}, {}, inputs).report.pickDistances[7];
+    EXPECT_LT(with, 0.1 * designer.surface().averageEdgeLength());
+    EXPECT_LT(with, without);
+}
+
+// A curve with weights is the one of least bending plus weighted distances: others cost more.
+TEST(NearCurves, WithWeightsCostLessThanOthers) {
+    const CurveDesigner designer(jitteredPlate(40, 40, 0.2, 3));
+    const std::vector<Vec3> picks = shakyWave(0.012);
+    constexpr double kWeight = 2e4;
+    const auto costOf = [&](const Curve& curve) {
+        constexpr int kPoints = 400;
+        double bending = 0.0;
+        double length = 0.0;
+        std::vector<Vec3> points;
+        for (int i = 0; i <= kPoints; ++i) {
+            points.push_back(pointOfSpline(curve.spline, static_cast<double>(i) / kPoints));
+        }
+        for (int i = 0; i < kPoints; ++i) {
+            const Vec3 way = points[i + 1] - points[i];
+            length += way.norm();
+            if (i > 0) {
+                const Vec3 in = points[i] - points[i - 1];
+                const double turn = std::atan2(in.cross(way).norm(), in.dot(way));
+                bending += turn * turn / (0.5 * (in.norm() + way.norm()));
+            }
+        }
+        double cost = length * bending;
+        for (const Vec3& pick : picks) {
+            cost += kWeight * std::pow(distanceToPolyline(pick, curve.polyline), 2.0) / 2.0;
+        }
+        return cost;
+    };
+    const std::vector<double> weights(picks.size(), kWeight);
+    CurveInputs inputs;
+    inputs.pickWeights = weights;
+    const double least = costOf(designer.design(picks, {}, {}, inputs));
+    for (const double tolerance : {0.003, 0.006, 0.01, 0.015, 0.02}) {
+        EXPECT_LT(least, costOf(designer.design(picks, {.pickTolerance = {.value = tolerance}})))
+            << tolerance;
+    }
+    const std::vector<double> others(picks.size(), 4.0 * kWeight);
+    inputs.pickWeights = others;
+    EXPECT_LT(least, costOf(designer.design(picks, {}, {}, inputs)));
+}
+
 TEST(NearCurves, SlideIntoTheValleyOfAField) {
     const TriangleMesh mesh = jitteredPlate(40, 40, 0.2, 3);
     std::vector<double> field;
@@ -196,6 +269,12 @@ TEST(NearCurves, RefuseTolerancesThatAreNone) {
     CurveInputs inputs;
     inputs.pickTolerances = one;
     EXPECT_THROW(static_cast<void>(designer.design(picks, {}, {}, inputs)), InputError);
+    const std::vector<double> wrong = {1.0, -1.0};
+    for (const std::span<const double> weights : {std::span(wrong), std::span(wrong).first(1)}) {
+        CurveInputs weighted;
+        weighted.pickWeights = weights;
+        EXPECT_THROW(static_cast<void>(designer.design(picks, {}, {}, weighted)), InputError);
+    }
 }
 
 TEST(MeshLength, IsReadAsItIsWritten) {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -129,6 +130,78 @@ TEST(ImprintFilter, RefusesWhatIsNotNearByItsLayerAndDistance) {
     optional.curves.erase(optional.curves.begin());
     expectPart(refusal([&] { return runImprintFilter(optional, {}); }), "layer \"far\" is not");
     expectPart(refusal([&] { return runImprintFilter(onPlate({}), {}); }), "no visible layer");
+}
+
+TEST(ImprintFilter, DrapesAlongADirectionAndTellsWhereALineIsBeside) {
+    const CurvesOnLayer far = onPlate({polyline("plan", {{0.2, 0.5, 3}, {1.4, 0.5, 7}}, false)});
+    ImprintRequest draping;
+    draping.use.placing.direction = "0 0 -1";
+    const MeshesResult result = runImprintFilter(far, draping);
+    EXPECT_EQ(figure<int>(result.figures, "curves"), 1);
+    ASSERT_EQ(result.log.warnings.size(), 1U);
+    EXPECT_EQ(
+        result.log.warnings[0],
+        "Layer \"plan\": along the direction it is beside the mesh 1 time (first behind vertex 0), "
+        "and parted there."
+    );
+    draping.use.placing.direction = "1,0,0";
+    expectPart(
+        refusal([&] { return runImprintFilter(far, draping); }),
+        "layer \"plan\" does not meet layer \"plate\" along the direction"
+    );
+    for (const char* const wrong : {"0 0 0", "1 2", "up"}) {
+        draping.use.placing.direction = wrong;
+        EXPECT_FALSE(refusal([&] { return runImprintFilter(far, draping); }).empty()) << wrong;
+    }
+}
+
+TEST(PointsFilter, PlacesPointsAtStepsAtDistancesAndAtThePicks) {
+    const CurveResult drawn = draw(plateLayer(), {});
+    PolylineLayer layer = polyline("curve", drawn.curve.polyline.points, false);
+    layer.places = drawn.curve.polyline.surfacePoints;
+    layer.drawnOn = checksumOf(plateLayer().mesh);
+    const CurvesOnLayer unknown = onPlate({layer, square()});
+    layer.drawn = std::make_shared<const Curve>(drawn.curve);
+    const CurvesOnLayer known = onPlate({layer});
+    const double length = lengthOf(drawn.curve.polyline);
+
+    PointsRequest request;
+    request.count = 5;
+    const PointsResult even = runPointsFilter(unknown, request);
+    ASSERT_EQ(even.points.size(), 10U);
+    EXPECT_EQ(even.curveOf, (std::vector<int>{0, 0, 0, 0, 0, 1, 1, 1, 1, 1}));
+    EXPECT_EQ(figure<int>(even.figures, "points"), 10);
+    for (int i = 0; i < 5; ++i) {
+        EXPECT_NEAR(even.points[i].distance, length * i / 4.0, 1e-12);
+        EXPECT_NEAR(even.points[i].normal.z(), 1.0, 1e-12);
+    }
+    EXPECT_EQ(even.points[0].position, drawn.curve.polyline.points.front());
+
+    // With its spline a curve has the curvature of that.
+    const std::vector<CurvePoint> expected =
+        CurvePoints(plateLayer().mesh)
+            .at(drawn.curve.polyline, &drawn.curve.spline, std::vector{0.4 * length});
+    request.distances = "0, " + std::to_string(length * 0.4);
+    const PointsResult chosen = runPointsFilter(known, request);
+    ASSERT_EQ(chosen.points.size(), 2U);
+    EXPECT_NEAR(chosen.points[1].curvature, expected[0].curvature, 1e-4);
+    EXPECT_GT(chosen.points[1].curvature, 0.1);
+
+    request.distances.clear();
+    request.atPicks = true;
+    const PointsResult picked = runPointsFilter(known, request);
+    ASSERT_EQ(picked.points.size(), drawn.curve.polyline.picks.size());
+    for (std::size_t i = 0; i < picked.points.size(); ++i) {
+        const Vec3& pick = drawn.curve.polyline.points[drawn.curve.polyline.picks[i]];
+        EXPECT_LT((picked.points[i].position - pick).norm(), 1e-12);
+    }
+    expectPart(refusal([&] { return runPointsFilter(unknown, request); }), "keeps no picks");
+    request = {.count = 1};
+    expectPart(refusal([&] { return runPointsFilter(known, request); }), "is an open curve");
+    request = {.distances = "0, far"};
+    expectPart(refusal([&] { return runPointsFilter(known, request); }), "\"far\"");
+    request = {.distances = "1e9"};
+    EXPECT_FALSE(refusal([&] { return runPointsFilter(known, request); }).empty());
 }
 
 TEST(CutFilter, MakesALayerForAllForEachOrForOnePart) {

@@ -54,6 +54,8 @@ TEST(DrawnOptions, AreNoneWhereARequestAsksForMore) {
     EXPECT_FALSE(drawnOptions(requestWith("avoid_margin", 0.05)));
     EXPECT_FALSE(drawnOptions(requestWith("weld", 1e-6)));
     EXPECT_FALSE(drawnOptions(requestWith("strict", true)));
+    EXPECT_FALSE(drawnOptions(requestWith("pick_tolerance", "0.1,0.2")));
+    EXPECT_TRUE(drawnOptions(requestWith("pick_tolerance", "0.1")));
     EXPECT_TRUE(drawnOptions(requestWith("corners", "1")));  // these are of the picks
     EXPECT_TRUE(drawnOptions(requestWith("tangents", "1: 1, 0, 0")));
     // What belongs to a field that is not there is not asked for.

@@ -45,7 +45,7 @@ FilterDescription parsed(const json& document) {
 }
 
 TEST(FilterDescription, TheEmbeddedOneIsWhole) {
-    EXPECT_EQ(parseFilterDescriptions(filterDescriptionsJson()).size(), 8u);
+    EXPECT_EQ(parseFilterDescriptions(filterDescriptionsJson()).size(), 10u);
     EXPECT_EQ(curveFilter().name, "B-spline Curve on Surface");
     EXPECT_EQ(fieldFilter().name, "Scalar Field for Curves");
     EXPECT_EQ(imprintFilter().name, "Imprint Curves");
@@ -54,6 +54,8 @@ TEST(FilterDescription, TheEmbeddedOneIsWhole) {
     EXPECT_EQ(offsetFilter().name, "Offset Curve on Surface");
     EXPECT_EQ(patternFilter().name, "Pattern on Surface");
     EXPECT_EQ(fitFilter().name, "Fit Curve to Selection Boundary");
+    EXPECT_EQ(editFilter().name, "Edit Curve on Surface");
+    EXPECT_EQ(pointsFilter().name, "Points on Curve");
     EXPECT_EQ(curveFilter().publications.at(0).year, 2023);
 }
 
@@ -155,9 +157,10 @@ TEST(FilterDescription, BothFiltersSayTheSameOfTheSameParameters) {
 
 TEST(FilterDescription, FiltersThatUseCurvesSayTheSameOfTheSameParameters) {
     for (const FilterDescription* const filter :
-         {&cutFilter(), &segmentFilter(), &offsetFilter()}) {
+         {&cutFilter(), &segmentFilter(), &offsetFilter(), &editFilter()}) {
         for (const ParameterDescription& parameter : imprintFilter().parameters) {
-            if (filter == &offsetFilter() && parameter.id == "snap") {
+            const bool imprints = filter != &offsetFilter() && filter != &editFilter();
+            if (!imprints && parameter.id == "snap") {
                 continue;
             }
             const ParameterDescription& other = filter->parameter(parameter.id);

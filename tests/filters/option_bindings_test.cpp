@@ -2,6 +2,7 @@
 #include "filters/option_bindings.h"
 
 #include "bspline_curve/error.h"
+#include "filters/edit_requests.h"
 #include "filters/filter_description.h"
 #include "filters/fit_requests.h"
 #include "filters/imprint_requests.h"
@@ -52,7 +53,10 @@ ParameterValue otherValue(const ParameterDescription& parameter, const Parameter
     if (const auto* const number = std::get_if<double>(&value)) {
         return *number == 0.5 ? 0.25 : 0.5;
     }
-    if (parameter.type == ParameterType::Length) {
+    if (parameter.type == ParameterType::Text) {
+        return "0 0 2";
+    }
+    if (parameter.type == ParameterType::Tolerances || parameter.type == ParameterType::Length) {
         return "2 edges";
     }
     if (parameter.type == ParameterType::Tangents) {
@@ -149,10 +153,17 @@ TEST(OptionBindings, EveryParameterIsBoundOnce) {
     addIds(pattern, rowBindings());
     addIds(pattern, carryingBindings());
     EXPECT_EQ(pattern, idsOf(patternFilter()));
+    std::multiset<std::string> points = use;
+    addIds(points, pointsBindings());
+    EXPECT_EQ(points, idsOf(pointsFilter()));
     std::multiset<std::string> fit(fittedParameters().begin(), fittedParameters().end());
     addIds(fit, fitBindings());
     addIds(fit, fitOptionBindings());
     EXPECT_EQ(fit, idsOf(fitFilter()));
+    std::multiset<std::string> edit = use;
+    addIds(edit, editBindings());
+    addIds(edit, joinBindings());
+    EXPECT_EQ(edit, idsOf(editFilter()));
     addIds(use, imprintBindings());
     EXPECT_EQ(use, idsOf(imprintFilter()));
     std::multiset<std::string> cut = use;
@@ -207,6 +218,9 @@ TEST(OptionBindings, DefaultsAreThoseOfTheOptions) {
     expectDefaults(patternFilter(), rowBindings());
     expectDefaults(patternFilter(), carryingBindings());
     expectDefaults(fitFilter(), fitOptionBindings());
+    expectDefaults(editFilter(), editBindings());
+    expectDefaults(editFilter(), joinBindings());
+    expectDefaults(pointsFilter(), pointsBindings());
     const CutWords choice;
     for (const Binding<CutWords>& binding : cutBindings()) {
         EXPECT_EQ(cutFilter().parameter(binding.id).defaultValue, binding.write(choice));
@@ -272,6 +286,8 @@ TEST(OptionBindings, EnumOptionsAreTheEnumerators) {
     expectEnumerators(offsetFilter(), named(offsetBindings(), "side"), &OffsetOptions::sides);
     expectEnumerators(patternFilter(), named(patternBindings(), "place"), &PatternRequest::place);
     expectEnumerators(fitFilter(), named(fitBindings(), "boundaries"), &FitRequest::labels);
+    expectEnumerators(editFilter(), named(editBindings(), "edit"), &EditRequest::edit);
+    expectEnumerators(editFilter(), named(editBindings(), "ends"), &EditRequest::ends);
 }
 
 TEST(OptionBindings, EnumOptionsAreWhatCanBeAvoided) {
@@ -317,6 +333,10 @@ bool isAccepted(
             static_cast<void>(patternRequest(values));
         } else if (&filter == &fitFilter()) {
             static_cast<void>(fitRequest(values));
+        } else if (&filter == &editFilter()) {
+            static_cast<void>(editRequest(values));
+        } else if (&filter == &pointsFilter()) {
+            static_cast<void>(pointsRequest(values));
         } else {
             static_cast<void>(fieldRequest(values));
         }
@@ -366,7 +386,9 @@ TEST(OptionBindings, RangesAreWhatTheOptionsAccept) {
           &cutFilter(),
           &offsetFilter(),
           &patternFilter(),
-          &fitFilter()}) {
+          &fitFilter(),
+          &editFilter(),
+          &pointsFilter()}) {
         for (const ParameterDescription& parameter : filter->parameters) {
             if (parameter.type == ParameterType::Int) {
                 expectWholeRange(*filter, parameter);

@@ -68,6 +68,47 @@ TEST(CurveRequest, ChoosesCornersByNumbersFromOne) {
     }
 }
 
+TEST(CurveRequest, TakesOneToleranceForAllPicksOrOneForEach) {
+    const auto requestOf = [](const Text& text) {
+        ParameterValues values(curveFilter());
+        values.set("pick_tolerance", text);
+        return curveRequest(values);
+    };
+    const MeshLength edges{1.5, true};
+    const CurveRequest all = requestOf("1.5 edges");
+    EXPECT_EQ(all.solver.pickTolerance, edges);
+    EXPECT_TRUE(all.pickTolerances.within(3).empty());
+    EXPECT_TRUE(all.pickTolerances.weights(3).empty());
+    const CurveRequest each = requestOf(" 0.4, 0,1.5edges , weight 100 ");
+    EXPECT_EQ(each.solver.pickTolerance, MeshLength());
+    EXPECT_EQ(
+        each.pickTolerances.within(4), (std::vector<MeshLength>{{0.4, false}, {}, edges, {}})
+    );
+    EXPECT_EQ(each.pickTolerances.weights(4), (std::vector<double>{0.0, 0.0, 0.0, 100.0}));
+    EXPECT_THROW(static_cast<void>(each.pickTolerances.within(3)), InputError);
+    const CurveRequest weight = requestOf("weight 2e3");
+    EXPECT_EQ(weight.pickTolerances.weights(3), (std::vector<double>{2e3, 2e3, 2e3}));
+    for (const Text wrong :
+         {"",
+          ",",
+          "0.4,",
+          "0.4;1",
+          "1 2",
+          "weight",
+          "weight -1",
+          "weight 0",
+          "weight nan",
+          "-1,0"}) {
+        try {
+            static_cast<void>(requestOf(wrong));
+            FAIL() << wrong;
+        } catch (const InputError& error) {
+            EXPECT_EQ(error.code(), InputErrorCode::BadOption);
+            EXPECT_TRUE(Text(error.what()).starts_with("pick_tolerance ")) << error.what();
+        }
+    }
+}
+
 TEST(CurveRequest, TakesTangentsByNumbersFromOne) {
     const auto tangentsOf = [](const Text& text) {
         ParameterValues values(curveFilter());

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "filters/edit_requests.h"
 #include "filters/fit_requests.h"
 #include "filters/imprint_requests.h"
 #include "filters/labels.h"
@@ -42,7 +43,9 @@ const std::vector<const FilterDescription*>& filters() {
         &segmentFilter(),
         &offsetFilter(),
         &patternFilter(),
-        &fitFilter()
+        &fitFilter(),
+        &editFilter(),
+        &pointsFilter()
     };
     return all;
 }
@@ -112,6 +115,10 @@ std::string refusedBelow(const FilterDescription& filter, const ParameterDescrip
             static_cast<void>(offsetRequest(values));
         } else if (&filter == &fitFilter()) {
             static_cast<void>(fitRequest(values));
+        } else if (&filter == &editFilter()) {
+            static_cast<void>(editRequest(values));
+        } else if (&filter == &pointsFilter()) {
+            static_cast<void>(pointsRequest(values));
         } else {
             values.set("drawing", std::string("a.svg"));
             static_cast<void>(patternRequest(values));

@@ -111,8 +111,10 @@ void readForeignCurveBytes(std::string_view bytes) {
     for (const auto& [checksum, workpiece] : curveMeshes()) {
         const Surface& surface = surfaceOf(workpiece);
         try {
-            CurvesOnSurface curves(surface, checksum, surface.diagonal());
-            for (const SurfacePolyline& line : curves.read(file.path(), "").lines) {
+            CurvesOnSurface curves(
+                surface, checksum, {.projection = {.distance = surface.diagonal()}}
+            );
+            for (const SurfacePolyline& line : curves.read(file.path()).lines) {
                 require(
                     isStrict(surface, strictLine(surface, line, "it")),
                     "every segment lies in a face"

@@ -20,7 +20,8 @@ LAYERS = 3  # surface, curve, tube
 
 FIELD = "Scalar Field for Curves"
 PATTERN = "Pattern on Surface"
-FILTERS = [CURVE, FIELD, "Imprint Curves", "Cut along Curves", "Segment by Curves", "Offset Curve on Surface", PATTERN, "Fit Curve to Selection Boundary"]
+FILTERS = [CURVE, FIELD, "Imprint Curves", "Cut along Curves", "Segment by Curves", "Offset Curve on Surface", PATTERN, "Fit Curve to Selection Boundary",
+           "Edit Curve on Surface"]
 WITH_ALL_OPTIONS = [CURVE, PATTERN]  # in 2020.09
 
 FONT = Path("/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf")

@@ -296,6 +296,47 @@ def test_a_curve_may_pass_beside_its_picks(mesh, picks):
         mesh.curve(picks, pick_tolerance="far")
 
 
+def test_each_pick_may_have_a_tolerance_of_its_own(mesh, picks):
+    reach = 0.1 * np.linalg.norm(picks[1] - picks[0])
+    near = mesh.curve(picks, pick_tolerance=[0, reach, reach, "weight 1e9"])
+    distances = np.array(near.report["pick_distances"])
+    assert distances[0] < 1e-9 and 0.1 * reach < distances[1:3].max() and distances.max() <= reach
+    assert near.options["pick_tolerance"] == ("0.0", repr(float(reach)), repr(float(reach)), "weight 1e9")
+    assert np.array_equal(mesh.curve(picks, pick_tolerance=[reach] * 4).points, mesh.curve(picks, pick_tolerance=reach).points)
+    assert np.array_equal(mesh.curve(picks, pick_tolerance=np.full(4, reach)).points, mesh.curve(picks, pick_tolerance=reach).points)
+    # They go with their picks; a new pick has that of the one before it.
+    assert [float(each) > 0 for each in near.remove(3).options["pick_tolerance"]] == [False, True, True]
+    added = near.insert(1, mesh.project(0.5 * (picks[:1] + picks[1:2])).points[0]).options["pick_tolerance"]
+    assert added == ("0.0", *near.options["pick_tolerance"])
+    assert near.reversed().options["pick_tolerance"] == near.options["pick_tolerance"][::-1]
+    assert near.with_options(pick_tolerance=0.0).report["pick_distances"] == []
+    again = pickle.loads(pickle.dumps(near))
+    assert again.options == near.options
+
+
+@pytest.mark.parametrize(
+    ("tolerances", "error", "said"),
+    [([0.1, 0.1], ValueError, "2 pick tolerances for 4 picks"), ([], ValueError, "for each pick"), ([0.1, None, 0, 0], TypeError, r"\[1\]"),
+     ([0, 0, -1, 0], ValueError, "not negative"), ("weight 0", ValueError, "above 0"), ({0: 1.0}, TypeError, "pick_tolerance")],
+)
+def test_tolerances_that_are_none_are_refused(tolerances, error, said, mesh, picks):
+    with pytest.raises(error, match=said):
+        mesh.curve(picks, pick_tolerance=tolerances)
+
+
+def test_picks_may_be_farther_from_the_mesh_where_that_is_asked_for(mesh, picks):
+    far = picks + [0, 0, 0.3]
+    with pytest.raises(bspline_curve.PickError, match="1 % of the diagonal"):
+        mesh.curve(far)
+    with pytest.raises(bspline_curve.PickError, match="more than is allowed"):
+        mesh.curve(far, pick_distance=0.01)
+    curve = mesh.curve(far, pick_distance=0.4)
+    assert curve.usable
+    ends = mesh.project(far[[0, -1]]).points
+    np.testing.assert_allclose(curve.points[[0, -1]], ends, rtol=0, atol=1e-12)
+    assert curve.move(1, far[1]).usable
+
+
 def full_knots(curve):
     """Parameters of knots between 0 and 1 that are not simple, and of a closed curve that at 0."""
     values, counts = np.unique(curve.knots, return_counts=True)

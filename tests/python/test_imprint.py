@@ -436,3 +436,21 @@ def test_refusals(plate, tmp_path):
     ]:
         with pytest.raises(error, match=said):
             plate.pattern(**{"drawing": STAR, **arguments})
+
+
+def test_layers_of_a_dxf_are_chosen(plate, tmp_path):
+    lines = ["0 SECTION", "2 ENTITIES"]
+    for layer, radius in [("inner", 0.1), ("outer", 0.3)]:
+        lines += ["0 CIRCLE", f"8 {layer}", "10 0.5", "20 0.5", f"40 {radius}"]
+    drawing = tmp_path / "a.dxf"
+    drawing.write_text("\n".join(line.replace(" ", "\n") for line in lines + ["0 ENDSEC", "0 EOF"]) + "\n")
+    at = {"centre": [0.5, 0.5, 0], "scale": 1.0}
+    assert len(plate.pattern(drawing, **at).curves) == 2
+    (circle,) = plate.pattern(drawing, layers=["outer"], **at).curves
+    assert circle.length == pytest.approx(2 * np.pi * 0.3, rel=1e-3)
+    with pytest.raises(FileError, match="no layer \"walls\""):
+        plate.pattern(drawing, layers=["walls"], **at)
+    with pytest.raises(InputError, match=r"in \.dxf alone"):
+        plate.pattern(STAR, layers=["outer"], **at)
+    with pytest.raises(TypeError, match="sequence of names"):
+        plate.pattern(drawing, layers="outer", **at)

@@ -180,6 +180,22 @@ def test_a_curve_is_turned_round(mesh, picks, closed, degree):
     assert (left != right).sum() <= (0 if closed else 6)  # beside the ends
 
 
+def test_corners_tangents_and_tolerances_go_the_other_way_with_their_picks(mesh, picks):
+    curve = mesh.curve(picks, closed=True, corners=[0, 1], tangents={2: (1, 0, 0)}, pick_tolerance=[0, 0, 0, 0.05])
+    turned = curve.reversed()
+    at = np.linspace(0.01, 0.99, 60)
+    np.testing.assert_allclose(turned.spline(1 - at), curve.spline(at), atol=1e-12)
+    assert turned.options["corners"] == (0, 3) and turned.options["tangents"] == ((2, (-1, 0, 0)),)
+    assert turned.options["pick_tolerance"] == ("0.0", "0.05", "0.0", "0.0")
+    np.testing.assert_array_equal(turned.picks, picks[[0, 3, 2, 1]])
+    # A closed curve that is cut open at a corner, and over its first point.
+    for start, end in ((0.0, 1.0), (curve.pick_parameters[2], curve.pick_parameters[1])):
+        part = curve.trim(start, end)
+        assert part.picks.shape == part.points[part.pick_vertices].shape and len(part.picks) >= 4
+        near = [each for each in range(len(part.picks)) if np.abs(part.picks[each] - picks[3]).max() > 0]  # but the pick with a tolerance
+        np.testing.assert_allclose(part.points[part.pick_vertices][near], part.picks[near], atol=1e-12)
+
+
 @pytest.mark.parametrize("degree", [2, 3, 4])
 @pytest.mark.parametrize("closed", [False, True])
 def test_parts_of_a_curve_are_those_of_spline_and_polyline(mesh, picks, closed, degree):
@@ -373,3 +389,30 @@ def test_a_saved_curve_keeps_quality_and_thresholds(mesh, picks, tmp_path):
     curve.save(tmp_path / "c.json")
     loaded = bspline_curve.load(tmp_path / "c.json", mesh)
     np.testing.assert_array_equal(loaded.with_options(tension=0.2).points, curve.with_options(tension=0.2).points)
+
+
+def test_polylines_are_draped_along_a_direction(mesh):
+    plan = np.array([[-0.5, -0.4, 9], [0.6, -0.3, 2], [0.1, 0.7, 9], [-0.5, -0.4, 9]])
+    ring = bspline_curve.Curve.from_points(plan, mesh, direction=[0, 0, -1])
+    assert ring.closed
+    starts = ring.points[np.abs(ring.points[:, None, :2] - plan[None, :3, :2]).sum(2).argmin(0)]
+    np.testing.assert_allclose(starts[:, :2], plan[:3, :2], rtol=0, atol=1e-14)
+    assert len(mesh.segment(plan, direction=[0, 0, -1]).parts) == 2
+    assert len(mesh.cut(plan, keep="inside", direction=(0, 0, -2)).faces) > 0
+    with pytest.raises(InputError, match="is not near the mesh"):
+        mesh.imprint(plan)
+    with pytest.raises(InputError, match="away from the mesh along the direction"):
+        mesh.imprint(plan, max_distance=3, direction=[0, 0, -1])
+    for wrong in ([0, 0, 0], [0, 1], [0, 0, np.nan]):
+        with pytest.raises(InputError, match="direction is"):
+            mesh.imprint(plan, direction=wrong)
+
+
+def test_a_draped_line_that_leaves_the_mesh_is_parted_with_a_warning(mesh):
+    plan = np.array([[0.5, 0, 3], [2.0, 0, 3], [2.0, 0.5, 3], [0.5, 0.5, 3]])
+    with pytest.warns(bspline_curve.MeshWarning, match=r"curves: along the direction it is beside the mesh 1 time \(first behind vertex 0\)"):
+        assert len(mesh.imprint(plan, direction=[0, 0, -1]).curves) == 2
+    with pytest.raises(InputError, match="2 curves, and one is needed here"):
+        bspline_curve.Curve.from_points(plan, mesh, direction=[0, 0, -1])
+    with pytest.raises(InputError, match="does not meet the mesh along the direction"):
+        mesh.imprint(plan + [9, 0, 0], direction=[0, 0, -1])

@@ -3,11 +3,13 @@
 #include "problem_fixture.h"
 #include "solver/cellwise_energy.h"
 #include "solver/cellwise_solver.h"
+#include "solver/solve_variant.h"
 #include "support/meshes.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
 #include <vector>
 
 namespace bspline_curve {
@@ -47,6 +49,20 @@ TEST(PickPenalty, ReportsTheCurveThatItReturns) {
         options.closed = true;
         expectReportOfCurve(options);
     }
+}
+
+// No such option is ignored where its code is missing.
+TEST(SolveVariants, AreMissedWhereOptionsNeedOne) {
+    CurveProblem problem;
+    EXPECT_FALSE(needsVariant(problem.options));
+    EXPECT_NO_THROW((void)variantOf(problem));
+    problem.options.interpolation = Interpolation::Penalty;
+    EXPECT_TRUE(needsVariant(problem.options));
+    EXPECT_THROW((void)variantOf(problem), std::logic_error);
+    EXPECT_TRUE(needsVariant(paperPreset()));
+    problem.options = SolverOptions();
+    problem.options.quadrature = Quadrature::Cells;
+    EXPECT_FALSE(needsVariant(problem.options));
 }
 
 // A field that hardly counts leaves the curve as exact as none does.

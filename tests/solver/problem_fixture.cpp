@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "problem_fixture.h"
 
+#include "solver/paper/paper_variant.h"
 #include "solver/sampled_solver.h"
 #include "surface/picks.h"
 #include "surface/triangle_tree.h"
@@ -31,6 +32,7 @@ ProblemFixture::ProblemFixture(
     problem_.shell = &shell_->shell;
     problem_.extended = shell_->extended.get();
     problem_.options = options;
+    problem_.variant = &paperVariant();
     makePath();
     problem_.averageEdgeLength = surface.averageEdgeLength() / shell_->extended->frame.scale;
     problem_.distanceTolerance = problem_.options.distanceTolerance * problem_.averageEdgeLength;

@@ -29,9 +29,10 @@ TEST(RefinementGain, IsNothingOnAPlane) {
     );
     const SampledIntegrals energy = scene.energy();
     const FootedSpline spline = scene.footed(energy, scene.controls());
-    const double total = energy.total(energy.terms(spline, spline.frames), kAlpha);
+    const double total =
+        energy.total(energy.terms(spline, spline.frames, kSceneWeights), kSceneWeights);
     for (int span = 0; span < scene.space().spanCount(); ++span) {
-        EXPECT_LT(energy.refinementGain(spline, kAlpha, span), 1e-12 * total);
+        EXPECT_LT(energy.refinementGain(spline, kSceneWeights, span), 1e-12 * total);
     }
 }
 
@@ -45,6 +46,7 @@ Relaxed relaxed(
     const ProblemFixture& fixture, const SplineSpace& space, ControlPoints controls, double alpha
 ) {
     const CurveProblem& problem = fixture.problem();
+    const EnergyWeights weights{.alpha = alpha};
     const FibreProjector finder(*problem.extended);
     const SampledIntegrals energy(problem, space, problem.averageEdgeLength);
     const TriangleTree tree(problem.extended->vertices, problem.extended->faces);
@@ -56,7 +58,7 @@ Relaxed relaxed(
     constexpr double kPickWeight = 1e6;
     for (int step = 0; step < 30 && decrement > 1e-7; ++step) {
         energy.follow(finder, spline);
-        energy.differentiate(spline, alpha, 1.0, gradient, hessian);
+        energy.differentiate(spline, weights, 1.0, gradient, hessian);
         EXPECT_TRUE(system.factorise(hessian, kPickWeight));
         const Eigen::VectorXd move = system.constrainedStep(
             gradient, system.constraints().residual(spline.controls), kPickWeight
@@ -66,9 +68,9 @@ Relaxed relaxed(
     }
     energy.follow(finder, spline);
     Relaxed result;
-    result.total = energy.total(energy.terms(spline, spline.frames), alpha);
+    result.total = energy.total(energy.terms(spline, spline.frames, weights), weights);
     for (int span = 0; span < space.spanCount(); ++span) {
-        result.gain += energy.refinementGain(spline, alpha, span);
+        result.gain += energy.refinementGain(spline, weights, span);
     }
     result.controls = std::move(spline.controls);
     return result;

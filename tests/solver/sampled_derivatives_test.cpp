@@ -37,6 +37,7 @@ struct DerivativeCase {
     FieldCost cost;
     bool overBoundary = false;
     bool isFaired = false;
+    bool isAvoiding = false;
 };
 
 class SampledDerivatives : public testing::TestWithParam<DerivativeCase> {
@@ -62,6 +63,10 @@ protected:
         scene->setField([](const Vec3& p) {
             return std::sin(3.0 * p.x()) + p.y() * p.z() + 0.3 * p.y();
         });
+        if (c.isAvoiding) {
+            // All but a band that the curve runs along.
+            scene->avoid([](const Vec3& p) { return std::abs(p.z()) > 0.5; }, 0.8);
+        }
         if (c.isFaired) {
             scene->setFairedShape(roundTheSphere(1.0, c.closed));
         }
@@ -81,19 +86,23 @@ TEST_P(SampledDerivatives, AgreeWithDifferencesForFrozenDirections) {
     EXPECT_EQ(std::ranges::any_of(spline.feet, isBeyond), c.overBoundary);
     const Derivatives derivatives = derivativesOf(energy, spline, 1.0);
     const Eigen::VectorXd& gradient = derivatives.gradient;
-    const EnergyTerms terms = energy.terms(spline, spline.frames);
+    const EnergyTerms terms = energy.terms(spline, spline.frames, kSceneWeights);
     EXPECT_EQ(derivatives.terms.internal, terms.internal);
     EXPECT_EQ(derivatives.terms.distance, terms.distance);
     EXPECT_EQ(derivatives.terms.external, terms.external);
+    EXPECT_EQ(derivatives.terms.avoidance, terms.avoidance);
+    EXPECT_EQ(terms.avoidance > 0.0, c.isAvoiding);
+    EXPECT_TRUE(std::isfinite(terms.internal));
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         const ControlPoints change = randomChange(scene.space(), seed);
         constexpr double kStep = 1e-7;
         const FootedSpline up = scene.moved(energy, spline, kStep * change);
         const FootedSpline down = scene.moved(energy, spline, -kStep * change);
-        const double difference = (energy.total(energy.terms(up, spline.frames), kAlpha) -
-                                   energy.total(energy.terms(down, spline.frames), kAlpha)) /
-                                  (2.0 * kStep);
+        const double difference =
+            (energy.total(energy.terms(up, spline.frames, kSceneWeights), kSceneWeights) -
+             energy.total(energy.terms(down, spline.frames, kSceneWeights), kSceneWeights)) /
+            (2.0 * kStep);
         EXPECT_NEAR(gradient.dot(flat(change)), difference, 1e-5 * gradient.norm());
     }
 }
@@ -149,6 +158,7 @@ INSTANTIATE_TEST_SUITE_P(
         DerivativeCase{"OverABoundary", 3, false, 0.0, FieldCost::Identity, true},
         DerivativeCase{"OpenFaired", 3, false, 0.3, FieldCost::Identity, false, true},
         DerivativeCase{"ClosedFaired", 4, true, 0.0, FieldCost::Square, false, true},
+        DerivativeCase{"BetweenObstacles", 3, false, 0.0, FieldCost::Identity, false, false, true},
         DerivativeCase{"QuadraticOverABoundary", 2, false, 0.3, FieldCost::ExpMinus, true}
     ),
     [](const auto& testInfo) { return testInfo.param.name; }

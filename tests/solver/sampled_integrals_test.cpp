@@ -54,7 +54,7 @@ TEST(SampledTerms, AreIntegralsOverAPlate) {
             scene.setField([](const Vec3& p) { return p.x() - 2.0 * p.y(); });
             const SampledIntegrals energy = scene.energy();
             const FootedSpline spline = scene.footed(energy, scene.controls());
-            const EnergyTerms terms = energy.terms(spline, spline.frames);
+            const EnergyTerms terms = energy.terms(spline, spline.frames, kSceneWeights);
             const double share = bending == Bending::Geodesic ? options.normalBendingWeight : 1.0;
             const double internal = internalEnergy(scene, share);
             // Two Gauss points on three parts are not exact for quartics.
@@ -74,7 +74,7 @@ TEST(SampledTerms, AreIntegralsOverAPlate) {
             EXPECT_NEAR(terms.external, external, 1e-5);
             EXPECT_NEAR(energy.largestHeight(spline), highest, 0.02 * highest);
             EXPECT_DOUBLE_EQ(
-                energy.total(terms, kAlpha),
+                energy.total(terms, kSceneWeights),
                 terms.internal + kAlpha * terms.distance + 2.0 * terms.external
             );
         }
@@ -107,16 +107,16 @@ TEST(SampledTerms, DoNotDependOnTheDirectionOfTheCurve) {
         const SampledIntegrals backEnergy(scene.problem(), backSpace, scene.edge());
         const FootedSpline back = scene.footed(backEnergy, backControls);
 
-        const EnergyTerms there = energy.terms(spline, spline.frames);
-        const EnergyTerms here = backEnergy.terms(back, back.frames);
+        const EnergyTerms there = energy.terms(spline, spline.frames, kSceneWeights);
+        const EnergyTerms here = backEnergy.terms(back, back.frames, kSceneWeights);
         EXPECT_NEAR(here.internal, there.internal, 1e-10 * there.internal);
         EXPECT_NEAR(here.distance, there.distance, 1e-10 * there.distance);
         EXPECT_NEAR(here.external, there.external, 1e-10);
         const int spans = backSpace.spanCount();
         for (int span = 0; span < spans; ++span) {
-            const double gain = energy.refinementGain(spline, kAlpha, span);
+            const double gain = energy.refinementGain(spline, kSceneWeights, span);
             EXPECT_NEAR(
-                backEnergy.refinementGain(back, kAlpha, spans - 1 - span),
+                backEnergy.refinementGain(back, kSceneWeights, spans - 1 - span),
                 gain,
                 1e-9 * there.internal
             ) << "span "
@@ -135,7 +135,7 @@ TEST(SampledModelErrors, AreTheEnergyBeyondNewtonsModel) {
         const SampledIntegrals energy = scene.energy();
         const FootedSpline before = scene.footed(energy, scene.controls());
         const Derivatives model = derivativesOf(energy, before, 0.0);
-        const double start = energy.total(model.terms, kAlpha);
+        const double start = energy.total(model.terms, kSceneWeights);
         // From within a face to some faces away.
         for (const double size : {1e-4, 1e-2, 0.1}) {
             const ControlPoints change = size * randomChange(scene.space(), 3);
@@ -143,10 +143,11 @@ TEST(SampledModelErrors, AreTheEnergyBeyondNewtonsModel) {
             const double foreseen =
                 start + model.gradient.dot(flat(change)) +
                 0.5 * flat(change).dot(product(model.hessian, scene.space(), flat(change)));
-            const double total = energy.total(energy.terms(there, before.frames), kAlpha);
+            const double total =
+                energy.total(energy.terms(there, before.frames, kSceneWeights), kSceneWeights);
             double modelError = 0.0;
             for (const SampledIntegrals::ModelError& span :
-                 energy.modelErrors(before, there, kAlpha)) {
+                 energy.modelErrors(before, there, kSceneWeights)) {
                 modelError += span.energy;
             }
             EXPECT_NEAR(modelError, total - foreseen, 1e-9 * (total + foreseen)) << "size " << size;
@@ -160,7 +161,7 @@ TEST(SampledDamping, HoldsTheSquaredWaysOfSpans) {
     const FootedSpline before = scene.footed(energy, scene.controls());
     const ControlPoints change = 0.01 * randomChange(scene.space(), 5);
     const std::vector<SampledIntegrals::ModelError> modelErrors =
-        energy.modelErrors(before, scene.moved(energy, before, change), kAlpha);
+        energy.modelErrors(before, scene.moved(energy, before, change), kSceneWeights);
     std::vector<double> damping(modelErrors.size(), 0.0);
     double damped = 0.0;
     for (std::size_t span = 0; span < damping.size(); span += 3) {

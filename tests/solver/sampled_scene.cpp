@@ -56,6 +56,17 @@ void Scene::setField(const std::function<double(const Vec3&)>& value) {
     problem_.fieldCosts = summaryOf(vertexCostsOf(problem_.field, problem_.options.fieldCost));
 }
 
+void Scene::avoid(const std::function<bool(const Vec3&)>& isIn, double margin) {
+    Region region;
+    for (int f = 0; f < surface_.faceCount(); ++f) {
+        if (isIn(surface_.position({f, Vec3::Constant(1.0 / 3.0)}))) {
+            region.push_back(f);
+        }
+    }
+    obstacles_ = std::make_unique<Obstacles>(surface_, extended_, region, margin);
+    problem_.obstacles = obstacles_.get();
+}
+
 void Scene::setFairedShape(const Way& way) {
     constexpr int kPoints = 40;
     const auto at = [&](double t) { return extended_.frame.toUnit(way(t)); };
@@ -177,8 +188,9 @@ Derivatives derivativesOf(
     const SampledIntegrals& energy, const FootedSpline& spline, double turning
 ) {
     Derivatives derivatives;
-    derivatives.terms =
-        energy.differentiate(spline, kAlpha, turning, derivatives.gradient, derivatives.hessian);
+    derivatives.terms = energy.differentiate(
+        spline, kSceneWeights, turning, derivatives.gradient, derivatives.hessian
+    );
     return derivatives;
 }
 

@@ -3,16 +3,19 @@
 
 #include "projection/fibre_projector.h"
 #include "solver/curve_problem.h"
+#include "solver/obstacles.h"
 #include "solver/sampled_integrals.h"
 #include "surface/triangle_tree.h"
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <vector>
 
 namespace bspline_curve::test_support {
 
 inline constexpr double kAlpha = 20.0;
+inline constexpr EnergyWeights kSceneWeights{.alpha = kAlpha, .avoidance = 3.0};
 
 using Way = std::function<Vec3(double)>;
 
@@ -41,6 +44,9 @@ public:
     Scene& operator=(const Scene&) = delete;
 
     void setField(const std::function<double(const Vec3&)>& value);
+
+    /// Avoids the faces whose middle, in the user's unit, is in a region.
+    void avoid(const std::function<bool(const Vec3&)>& isIn, double margin);
 
     /// Holds the spline to a way, in the user's unit, at even parameters.
     void setFairedShape(const Way& way);
@@ -73,6 +79,7 @@ private:
     double edge_;
     SplineSpace space_;
     std::vector<double> field_;
+    std::unique_ptr<Obstacles> obstacles_;
     CurveProblem problem_;
     ControlPoints controls_;
 };

@@ -53,6 +53,9 @@ export async function startBrowser() {
   return { browser, url: `${origin}/a/folder/`, close: () => Promise.all([browser.close(), server.close()]) };
 }
 
+/** In ms: a machine that builds as well may take long for what takes a second otherwise. */
+const PATIENCE = 120_000;
+
 const pictures = process.env.BSPLINE_CURVE_PICTURES; // a folder for screenshots
 
 /**
@@ -62,6 +65,7 @@ const pictures = process.env.BSPLINE_CURVE_PICTURES; // a folder for screenshots
 export async function openPage({ browser, url }, { width = 900, height = 640, touch = false, dark = false } = {}) {
   const context = await browser.createBrowserContext();
   const page = await context.newPage();
+  page.setDefaultTimeout(PATIENCE);
   const said = [];
   page.on("console", (message) => said.push(`${message.type()}: ${message.text()}`));
   page.on("pageerror", (error) => said.push(`error: ${error.message}`));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Compiled, not run: what people write has types.
-import { Curve, init, InputError, Mesh, Session, type Pieces } from "../../web/module/index.js";
+import { Curve, init, InputError, Mesh, PICK_KINDS, Session, type Pieces } from "../../web/module/index.js";
 
 export async function use(bytes: ArrayBuffer): Promise<Uint8Array> {
   await init("bspline_curve.wasm");
@@ -9,7 +9,12 @@ export async function use(bytes: ArrayBuffer): Promise<Uint8Array> {
   const cut: Pieces = mesh.cut([curve], { keep: "inside", fill: "smooth" });
   const values: Float64Array = cut.pieces[0].mesh.field("valley", { normalised: true });
   const session = new Session(mesh, { tension: 0.2 });
-  session.event({ event: "press", start: [0, 0, 5], direction: [0, 0, -1], pixel: 0.01 });
+  session.event({ event: "press", start: [0, 0, 5], direction: [0, 0, -1], pixel: 0.01, strokes: true });
+  session.set_kind(0, PICK_KINDS[session.state.curves[0].kinds[0]]);
+  session.add_curves([{ picks: mesh.fit([[0, 0, 0], [1, 0, 0]], { deviation: "1 edges" }).pick_points(), corners: [1] }]);
+  mesh.curve([], { corners: mesh.fit_boundary([0, 1]).curves[0].corners, tangents: { 2: [1, 0, 0] } });
+  // @ts-expect-error: no such kind
+  session.set_kind(0, "round");
   // @ts-expect-error: no such degree
   mesh.curve([], { degree: 5 });
   // @ts-expect-error: read-only

@@ -94,8 +94,12 @@ TEST(PiecesOfCurves, ThatAreReversedAreTheSameCurve) {
         for (const std::vector<int>& corners :
              {std::vector<int>{}, std::vector<int>{0, 2}, std::vector<int>{1}}) {
             const Curve curve = drawnOn(workpiece, kOpenPicks, closed, 3, corners);
-            const Curve turned = reversedCurve(curve);
+            std::vector<int> picks;
+            const Curve turned = reversedCurve(curve, &picks);
             expectWhole(workpiece, turned);
+            EXPECT_EQ(
+                picks, closed ? std::vector<int>({0, 3, 2, 1}) : std::vector<int>({3, 2, 1, 0})
+            );
             for (int i = 1; i < 100; ++i) {
                 const double t = i / 100.0;
                 EXPECT_LT(
@@ -107,6 +111,28 @@ TEST(PiecesOfCurves, ThatAreReversedAreTheSameCurve) {
             EXPECT_EQ(again.polyline.picks, curve.polyline.picks);
             EXPECT_EQ(cornersOf(again.spline), cornersOf(curve.spline));
             EXPECT_EQ(cornersOf(turned.spline).size(), cornersOf(curve.spline).size());
+        }
+    }
+}
+
+TEST(PiecesOfCurves, TellWhichPicksTheyHave) {
+    const Workpiece workpiece(jitteredPlate(30, 30, 0.2, 3));
+    const Curve curve = drawnOn(workpiece, kOpenPicks, true);
+    const std::vector<double>& at = curve.spline.pickParameters;
+    std::vector<int> picks;
+    static_cast<void>(partOfCurve(workpiece, curve, at[2], at[1], &picks));
+    EXPECT_EQ(picks, (std::vector<int>{2, 3, 0, 1}));
+    static_cast<void>(partOfCurve(workpiece, curve, 0.0, 1.0, &picks));
+    EXPECT_EQ(picks, (std::vector<int>{0, 1, 2, 3, 0}));
+    std::vector<std::vector<int>> ofEach;
+    const std::vector<double> cuts = {at[1], 0.5 * (at[2] + at[3])};
+    const std::vector<Curve> parts = partsOfCurve(workpiece, curve, cuts, &ofEach);
+    EXPECT_EQ(ofEach, (std::vector<std::vector<int>>{{1, 2}, {3, 0, 1}}));
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        ASSERT_EQ(parts[i].polyline.picks.size(), ofEach[i].size());
+        for (std::size_t k = 0; k < ofEach[i].size(); ++k) {
+            const Vec3& there = parts[i].polyline.points[parts[i].polyline.picks[k]];
+            EXPECT_LT((there - kOpenPicks[ofEach[i][k]]).norm(), 1e-9);
         }
     }
 }

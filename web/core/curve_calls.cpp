@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Curves through picks, and in files.
+// Curves through picks, along lines, and in files.
 #include "bspline_curve/files.h"
+#include "bspline_curve/lines.h"
+#include "bspline_curve/spline.h"
+#include "filters/fit_requests.h"
 #include "filters/requests.h"
 #include "filters/utf8_path.h"
 #include "io/length_unit.h"
@@ -8,6 +11,7 @@
 #include "web/core/files_in_memory.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <optional>
 #include <utility>
 
@@ -59,6 +63,50 @@ Json draw(const Json& arguments, Reply& reply) {
     return curveJson(std::move(made), reply);
 }
 
+std::vector<LineToFit> linesOf(const Json& arguments, const TriangleMesh& mesh) {
+    if (arguments.contains("labels")) {
+        const std::span<const int> labels = idsOf(arguments["labels"]);
+        if (labels.size() != mesh.faces.size()) {
+            throw InputError(
+                InputErrorCode::BadOption,
+                "there are " + std::to_string(labels.size()) + " labels, but the mesh has " +
+                    std::to_string(mesh.faces.size()) + " faces: give one for each"
+            );
+        }
+        return linesBetween(mesh, labels);
+    }
+    if (arguments.contains("faces")) {
+        const std::span<const int> ids = idsOf(arguments["faces"]);
+        const std::vector<std::int64_t> faces(ids.begin(), ids.end());
+        return linesRound(mesh, makeRegion(mesh, faces));
+    }
+    return {
+        {.points = pointsOf(arguments.at("line")),
+         .closed = arguments.value("closed", false),
+         .name = "the line"}
+    };
+}
+
+// {"mesh", "line" and "closed", or "faces", or "labels", "options"}: {"curves": […], "notes"},
+// smooth curves along the line, along the boundary of the faces, or between labels.
+Json fit(const Json& arguments, Reply& reply) {
+    const auto mesh = meshOf(arguments.at("mesh").get<int>());
+    const FitRequest request =
+        fitRequest(valuesOfJson(fitFilter(), arguments.value("options", Json())));
+    const Workpiece& workpiece = *mesh->workpiece;
+    FittedLines fitted = fitLines(
+        workpiece, linesOf(arguments, workpiece.mesh()), request.fit, request.curve, hostProgress()
+    );
+    Json curves = Json::array();
+    for (DesignedCurve& curve : fitted.curves) {
+        auto made = std::make_shared<DrawnOnMesh>();
+        made->mesh = mesh;
+        made->drawn = std::move(curve);
+        curves.push_back(curveJson(std::move(made), reply));
+    }
+    return {{"curves", std::move(curves)}, {"notes", fitted.notes}};
+}
+
 LengthUnit unitOf(const Json& arguments) {
     const auto word = arguments.value("unit", std::string("mm"));
     const auto* const unit = std::ranges::find(kLengthUnits, word, &LengthUnitNames::id);
@@ -99,7 +147,7 @@ Json readCurves(const Json& arguments, Reply& reply) {
     const std::filesystem::path path = utf8Path(arguments.at("name").get<std::string>());
     const FileInMemory file(path, std::string(bytesOf(arguments.at("bytes"))));
     CurvesOfFile found =
-        readCurvesOn(*mesh->workpiece, path, 0.0, {}, "draw them nearer to the mesh");
+        readCurvesOn(*mesh->workpiece, path, {.remedy = "draw them nearer to the mesh"});
     Json curves = Json::array();
     for (std::size_t i = 0; i < found.lines.size(); ++i) {
         auto made = std::make_shared<DrawnOnMesh>();
@@ -143,6 +191,7 @@ Json curveJson(std::shared_ptr<const DrawnOnMesh> curve, Reply& reply) {
         {"barycentrics", reply.array(std::move(barycentrics))},
         {"t", reply.view(curve, line.parameters)},
         {"picks", reply.view(curve, line.picks)},
+        {"corners", reply.array(cornersOf(spline))},
         {"degree", spline.degree},
         {"knots", reply.view(curve, spline.knots)},
         {"control_points", reply.view(curve, spline.controlPoints)},
@@ -160,7 +209,10 @@ Json curveJson(std::shared_ptr<const DrawnOnMesh> curve, Reply& reply) {
 
 const Calls& curveCalls() {
     static const Calls calls{
-        {"curve.draw", draw}, {"curves.save", saveCurves}, {"curves.read", readCurves}
+        {"curve.draw", draw},
+        {"mesh.fit", fit},
+        {"curves.save", saveCurves},
+        {"curves.read", readCurves}
     };
     return calls;
 }

@@ -40,6 +40,7 @@ ParameterValue valueOfJson(const ParameterDescription& parameter, const Json& va
             }
             break;
         case ParameterType::Length:
+        case ParameterType::Tolerances:
             if (value.is_number()) {
                 return value.dump();
             }

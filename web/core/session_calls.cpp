@@ -51,7 +51,7 @@ DrawnOptions drawnOptions(const Json& options) {
     return drawnOptionsOf(valuesOfJson(curveFilter(), options));
 }
 
-// {"mesh", "options", "radii": {"pick", "curve"}, "drag"}: a session; radii and drag in pixels.
+// {"mesh", "options", "radii": {"pick", "curve"}, "handles"}: a session; lengths in pixels.
 Json begin(const Json& arguments, Reply& reply) {
     auto mesh = meshOf(arguments.at("mesh").get<int>());
     OptionBook book(mesh->workpiece, mesh->layer);
@@ -63,6 +63,7 @@ Json begin(const Json& arguments, Reply& reply) {
             arguments["radii"].at("curve").get<double>()
         };
     }
+    settings.handlePixels = arguments.value("handles", 0.0);
     std::shared_ptr<const Workpiece> workpiece = mesh->workpiece;
     // NOLINTNEXTLINE(modernize-make-shared): an aggregate of what cannot be moved
     auto session = std::shared_ptr<Session>(new Session{
@@ -83,6 +84,7 @@ Pointer pointerOf(const Json& event) {
     pointer.isOrthographic = event.value("orthographic", false);
     pointer.snaps = event.value("snaps", false);
     pointer.removes = event.value("removes", false);
+    pointer.strokes = event.value("strokes", false);
     return pointer;
 }
 
@@ -96,6 +98,7 @@ SketchKey keyOf(const std::string& name) {
         {"remove", SketchKey::Remove},
         {"close", SketchKey::Close},
         {"new_curve", SketchKey::NewCurve},
+        {"kind", SketchKey::Kind},
         {"undo", SketchKey::Undo},
         {"redo", SketchKey::Redo},
         {"cancel", SketchKey::Cancel}
@@ -147,16 +150,32 @@ Json changed(const Json& arguments, Reply& reply, const Change& change) {
     return {{"state", stateJson(*session, reply)}};
 }
 
-// {"session", "picks": of a new curve, "options"}: adds it.
-Json addCurve(const Json& arguments, Reply& reply) {
+// {"picks", "corners": some of them, "tangents": of each, or of none, "options"}.
+SketchCurve describedCurve(Session& session, const Json& described) {
+    DrawnCurve drawn;
+    for (const Vec3& position : pointsOf(described.at("picks"))) {
+        const ClosestPoint closest = session.drawing.workpiece().closestPoint(position);
+        drawn.picks.push_back({closest.place, closest.position});
+    }
+    for (const int pick : idsOf(described.at("corners"))) {
+        drawn.picks.at(pick).isCorner = true;
+    }
+    const std::vector<Vec3> tangents = pointsOf(described.at("tangents"));
+    for (std::size_t i = 0; i < tangents.size(); ++i) {
+        drawn.picks.at(i).tangent = tangents[i];
+    }
+    drawn.options = drawnOptions(described.at("options"));
+    return sketchCurve(session, drawn);
+}
+
+// {"session", "curves": as above}: adds them, as one entry of the history.
+Json addCurves(const Json& arguments, Reply& reply) {
     return changed(arguments, reply, [&](Session& session) {
-        DrawnCurve drawn;
-        for (const Vec3& position : pointsOf(arguments.at("picks"))) {
-            const ClosestPoint closest = session.drawing.workpiece().closestPoint(position);
-            drawn.picks.push_back({closest.place, closest.position});
+        std::vector<SketchCurve> curves;
+        for (const Json& described : arguments.at("curves")) {
+            curves.push_back(describedCurve(session, described));
         }
-        drawn.options = drawnOptions(arguments.value("options", Json()));
-        session.drawing.add({sketchCurve(session, drawn)});
+        session.drawing.add(std::move(curves));
     });
 }
 
@@ -197,6 +216,15 @@ Json setColour(const Json& arguments, Reply& reply) {
 Json select(const Json& arguments, Reply& reply) {
     return changed(arguments, reply, [&](Session& session) {
         session.drawing.select(arguments.at("curve").get<int>(), arguments.value("pick", -1));
+    });
+}
+
+// {"session", "pick": of the active curve, "kind": a PickKind}.
+Json setKind(const Json& arguments, Reply& reply) {
+    return changed(arguments, reply, [&](Session& session) {
+        session.drawing.setKind(
+            arguments.at("pick").get<int>(), static_cast<PickKind>(arguments.at("kind").get<int>())
+        );
     });
 }
 
@@ -305,11 +333,12 @@ const Calls& sessionCalls() {
         {"session.begin", begin},
         {"session.event", event},
         {"session.update", update},
-        {"session.add_curve", addCurve},
+        {"session.add_curves", addCurves},
         {"session.set_options", setOptions},
         {"session.set_look", setLook},
         {"session.set_colour", setColour},
         {"session.select", select},
+        {"session.set_kind", setKind},
         {"session.new_curve", newCurve},
         {"session.remove_curve", removeCurve},
         {"session.set_closed", setClosed},

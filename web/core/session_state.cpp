@@ -18,10 +18,38 @@ double lengthOfShown(const std::vector<Vec3>& points, bool isClosed) {
     return isClosed && !points.empty() ? length + (points.front() - points.back()).norm() : length;
 }
 
+std::vector<Vec3> positionsOf(const std::vector<SketchPick>& picks) {
+    std::vector<Vec3> positions;
+    for (const SketchPick& pick : picks) {
+        positions.push_back(pick.position);
+    }
+    return positions;
+}
+
+// Of the faces that the picks are on; zero where there is none.
+std::vector<Vec3> normalsAt(const TriangleMesh& mesh, const std::vector<SketchPick>& picks) {
+    std::vector<Vec3> normals;
+    for (const SketchPick& pick : picks) {
+        const auto& [a, b, c] = mesh.faces[pick.point.face];
+        const Vec3& origin = mesh.vertices[a];
+        normals.push_back(
+            (mesh.vertices[b] - origin).cross(mesh.vertices[c] - origin).normalized()
+        );
+    }
+    return normals;
+}
+
 Json newsOf(const Session& session, const SketchCurve& curve, Reply& reply) {
     const SketchColour& colour = curve.look.colour;
     std::vector<Vec3> points = curve.shownPoints();
     const double length = lengthOfShown(points, curve.options.solver.closed);
+    const Workpiece& workpiece = *session.mesh->workpiece;
+    std::vector<int> kinds;
+    std::vector<Vec3> tangents;
+    for (const SketchPick& pick : curve.picks) {
+        kinds.push_back(static_cast<int>(kindOf(pick)));
+        tangents.push_back(pick.tangent);
+    }
     Json json{
         {"id", curve.id},
         {"name", curve.look.name},
@@ -29,6 +57,10 @@ Json newsOf(const Session& session, const SketchCurve& curve, Reply& reply) {
         {"hidden", curve.look.isHidden},
         {"options", optionsJson(session.options.fromSketch(curve.options))},
         {"picks", reply.array(curve.positions())},
+        {"kinds", reply.array(std::move(kinds))},
+        {"tangents", reply.array(std::move(tangents))},
+        {"normals", reply.array(normalsAt(workpiece.mesh(), curve.picks))},
+        {"leeway", curve.options.solver.pickTolerance.in(workpiece.meanEdgeLength())},
         {"points", reply.array(std::move(points))},
         {"length", length},
         {"settled", curve.isSettled()},
@@ -36,7 +68,7 @@ Json newsOf(const Session& session, const SketchCurve& curve, Reply& reply) {
         {"notes", Json::array()}
     };
     if (curve.settled) {
-        json["notes"] = session.mesh->workpiece->finished(*curve.settled, {}).notes;
+        json["notes"] = workpiece.finished(*curve.settled, {}).notes;
     }
     if (!curve.problem.message.empty()) {
         json["problem"] = {
@@ -94,7 +126,12 @@ Json stateJson(Session& session, Reply& reply) {
         {"curves", curvesJson(session, reply)},
         {"active", sketch.active},
         {"selected", sketch.selected},
-        {"hovered", {{"curve", hovered.curve}, {"pick", hovered.pick}, {"after", hovered.after}}},
+        {"hovered",
+         {{"curve", hovered.curve},
+          {"pick", hovered.pick},
+          {"after", hovered.after},
+          {"handle", hovered.handle}}},
+        {"stroke", reply.array(positionsOf(drawing.stroke()))},
         {"dragging", drawing.isDragging()},
         {"can_undo", drawing.canUndo()},
         {"can_redo", drawing.canRedo()},

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import { InputError } from "./errors.js";
 import { call, Held } from "./instance.js";
 import { Mesh } from "./mesh.js";
 
@@ -23,6 +24,9 @@ export class Imprint extends Held {
   }
 
   cut(options = {}) {
+    if (options.stroke !== undefined) {
+      throw new InputError({ code: "bad-option", message: "there is no option stroke here: strokes are in the program and in Python" });
+    }
     return this.#pieces("imprint.cut", options);
   }
 

@@ -31,6 +31,10 @@ export interface CurveOptions {
   tension?: number;
   /** A length, or "1.5 edges". */
   pick_tolerance?: number | string;
+  /** Picks at which the curve turns, from 0 on, or "all". */
+  corners?: Ids | "all";
+  /** Directions in which the curve passes picks, by their numbers from 0 on. */
+  tangents?: { [pick: number]: readonly number[] };
   field_weight?: number;
   samples?: number;
   preset?: "default" | "paper";
@@ -74,6 +78,10 @@ export class Mesh extends Held {
     picks: Points,
     options?: CurveOptions & { field?: FieldKind | "none" | "auto" | Float64Array; avoid?: Ids; start?: Curve; progress?: Progress },
   ): Curve;
+  /** A smooth curve along a line near the mesh, nowhere farther from it than the deviation. */
+  fit(line: Points, options?: FitOptions & { closed?: boolean }): Curve;
+  /** Likewise along the boundaries of some faces, or between `labels`, one of each face. */
+  fit_boundary(faces: Ids | null, options?: FitOptions & { labels?: Ids }): { curves: Curve[]; notes: string[] };
   /** Curves of a file, exactly where they were drawn, or projected. */
   read_curves(name: string, bytes: ArrayBuffer | Uint8Array): { curves: Curve[]; notes: string[] };
   /** A value for each vertex. */
@@ -90,6 +98,18 @@ export class Mesh extends Held {
   save(name: string): Uint8Array;
 }
 
+export interface FitOptions {
+  /** A length, or "1.5 edges"; 0: a mean edge, and no smoother than the line's own noise asks for. */
+  deviation?: number | string;
+  /** Where the line turns by so many degrees, the curve has a corner; 180: none. */
+  corner_angle?: number;
+  degree?: 2 | 3 | 4;
+  tension?: number;
+  samples?: number;
+  max_segment_length?: number;
+  progress?: Progress;
+}
+
 export type Unit = "mm" | "cm" | "m" | "um" | "in" | "ft";
 
 /** A polyline on a mesh, and the B-spline that was projected onto it; it does not change. */
@@ -104,6 +124,8 @@ export class Curve extends Held {
   readonly t: Float64Array;
   /** Which points the picks are. */
   readonly picks: Int32Array;
+  /** Which picks are corners. */
+  readonly corners: Int32Array;
   readonly degree: number;
   readonly knots: Float64Array;
   readonly control_points: Float64Array;
@@ -133,7 +155,16 @@ export interface CutOptions {
   drop_untouched?: boolean;
   fill?: "none" | "flat" | "smooth";
   split?: boolean;
+  /** Lengths in the unit of the mesh. A relief moves the parts to keep along their normals, and keeps the whole mesh. */
   relief?: number;
+  profile?: "step" | "ramp" | "round";
+  profile_width?: number;
+  /** Parts become closed walls, outwards or, below 0, inwards. */
+  thickness?: number;
+  /** Parts become solids: their rims go to a plane so far beyond them, or at a height along a direction "x y z". */
+  base?: number;
+  base_direction?: string;
+  base_height?: number;
   progress?: Progress;
 }
 
@@ -173,10 +204,12 @@ export interface PointerRay {
   orthographic?: boolean;
   snaps?: boolean;
   removes?: boolean;
+  /** A drag draws a line freehand, which becomes a curve, or replaces the stretch of the one that it begins and ends at. */
+  strokes?: boolean;
 }
 
 export type SessionKey =
-  | "add" | "move" | "next" | "previous" | "next_curve" | "remove" | "close" | "new_curve" | "undo" | "redo" | "cancel";
+  | "add" | "move" | "next" | "previous" | "next_curve" | "remove" | "close" | "new_curve" | "kind" | "undo" | "redo" | "cancel";
 
 export type SessionEvent =
   | ({ event: "press" | "move" | "release" } & PointerRay)
@@ -195,6 +228,11 @@ export interface DrawnOptions {
   avoid_threshold?: number;
 }
 
+/** Smooth in the fairest direction, smooth in a direction of its own, or a corner. */
+export type PickKind = "automatic" | "aligned" | "corner";
+/** In the order of their numbers. */
+export const PICK_KINDS: readonly PickKind[];
+
 export interface SketchCurve {
   id: number;
   name: string;
@@ -202,6 +240,13 @@ export interface SketchCurve {
   hidden: boolean;
   options: Required<DrawnOptions>;
   picks: Float64Array;
+  /** Of each pick, the number of its PickKind. */
+  kinds: Int32Array;
+  /** Of each pick, 3 numbers: its direction, zero where it has none; the normal of its face. */
+  tangents: Float64Array;
+  normals: Float64Array;
+  /** How far from automatic picks the curve may pass, in the unit of the mesh. */
+  leeway: number;
   /** What is to be shown; empty: there is no curve yet. */
   points: Float64Array;
   length: number;
@@ -217,7 +262,10 @@ export interface SessionState {
   /** Index of the curve that picks are added to; -1: none. */
   active: number;
   selected: number;
-  hovered: { curve: number; pick: number; after: number };
+  /** `handle`: of the pick's direction, 1 the one ahead, -1 the one behind, 0: none. */
+  hovered: { curve: number; pick: number; after: number; handle: number };
+  /** The line that is being drawn freehand; empty: none. */
+  stroke: Float64Array;
   dragging: boolean;
   can_undo: boolean;
   can_redo: boolean;
@@ -228,7 +276,11 @@ export interface SessionState {
 
 /** Drawing with a mouse, a pen or fingers, without a window. */
 export class Session extends Held {
-  constructor(mesh: Mesh, options?: DrawnOptions & { radii?: { pick: number; curve: number } });
+  /**
+   * `radii`: how near the pointer must come, in pixels; `handles`: so far from the selected pick are the handles of its
+   * direction, 0: there are none.
+   */
+  constructor(mesh: Mesh, options?: DrawnOptions & { radii?: { pick: number; curve: number }; handles?: number });
   readonly mesh: Mesh;
   readonly state: SessionState;
   /** Whether the session took it; what it did not take is the camera's. */
@@ -237,7 +289,11 @@ export class Session extends Held {
   update(): boolean;
   /** Solves all. */
   settle(): void;
-  add_curve(picks: Points, options?: DrawnOptions): void;
+  add_curve(picks: Points, options?: DrawnOptions & { corners?: Ids; tangents?: Points }): void;
+  /** The same for several, as one step of the history. */
+  add_curves(curves: (DrawnOptions & { picks: Points; corners?: Ids; tangents?: Points })[]): void;
+  /** Of a pick of the active curve. */
+  set_kind(pick: number, kind: PickKind): void;
   set_options(options: DrawnOptions, how?: { live?: boolean }): void;
   set_look(curve: number, look: { name?: string; colour?: [number, number, number]; hidden?: boolean }): void;
   set_colour(colour: [number, number, number]): void;

@@ -5,4 +5,4 @@ export { InputError } from "./errors.js";
 export { Mesh } from "./mesh.js";
 export { Curve } from "./curve.js";
 export { Imprint } from "./imprint.js";
-export { Session } from "./session.js";
+export { PICK_KINDS, Session } from "./session.js";

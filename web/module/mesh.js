@@ -4,6 +4,18 @@ import { Curve } from "./curve.js";
 import { Imprint } from "./imprint.js";
 import { call, Held } from "./instance.js";
 
+// Corners and tangents as the module takes them: text, which counts picks from 1.
+function inText({ corners, tangents, ...options }) {
+  if (corners !== undefined) {
+    options.corners = typeof corners === "string" ? corners : [...corners].map((pick) => pick + 1).join();
+  }
+  if (tangents !== undefined) {
+    const entries = typeof tangents === "string" ? null : Object.entries(tangents);
+    options.tangents = entries?.map(([pick, direction]) => `${Number(pick) + 1}: ${[...direction].join()}`).join("; ") ?? tangents;
+  }
+  return options;
+}
+
 /** A validated triangle mesh, prepared for curves; it does not change. */
 export class Mesh extends Held {
   constructor(vertices, faces, { progress, ...options } = {}) {
@@ -31,7 +43,8 @@ export class Mesh extends Held {
     return new Mesh(new Answer(json));
   }
 
-  curve(picks, { field, avoid, start, progress, ...options } = {}) {
+  curve(picks, { field, avoid, start, progress, ...drawn } = {}) {
+    const options = inText(drawn);
     const values = { mesh: this.number, picks: coordinates(picks), options };
     if (typeof field === "string") {
       options.field = field;
@@ -45,6 +58,26 @@ export class Mesh extends Held {
       values.start = start.number;
     }
     return new Curve(call("curve.draw", values, progress), this, { field, avoid, ...options });
+  }
+
+  #fitted(values, progress) {
+    const { curves, notes } = call("mesh.fit", { mesh: this.number, ...values }, progress);
+    const { tension = 0 } = values.options;
+    return {
+      curves: curves.map((json) => {
+        const { closed, degree, corners } = json;
+        return new Curve(json, this, { closed, degree, tension, corners });
+      }),
+      notes,
+    };
+  }
+
+  fit(line, { closed = false, progress, ...options } = {}) {
+    return this.#fitted({ line: coordinates(line), closed, options }, progress).curves[0];
+  }
+
+  fit_boundary(faces, { labels, progress, ...options } = {}) {
+    return this.#fitted(labels ? { labels: ids(labels), options } : { faces: ids(faces), options }, progress);
   }
 
   read_curves(name, bytes) {

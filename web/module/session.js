@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { coordinates } from "./arrays.js";
+import { coordinates, ids } from "./arrays.js";
 import { Curve } from "./curve.js";
 import { call, Held } from "./instance.js";
+
+/** How a curve passes a pick, by its number in `kinds`. */
+export const PICK_KINDS = ["automatic", "aligned", "corner"];
 
 /**
  * Drawing with a mouse, a pen or fingers, without a window: takes events as rays into the scene, holds curves, picks,
@@ -12,8 +15,8 @@ export class Session extends Held {
   #mesh;
   #curves = new Map();
 
-  constructor(mesh, { radii, ...options } = {}) {
-    const { session, state } = call("session.begin", { mesh: mesh.number, options, ...(radii && { radii }) });
+  constructor(mesh, { radii, handles = 0, ...options } = {}) {
+    const { session, state } = call("session.begin", { mesh: mesh.number, options, handles, ...(radii && { radii }) });
     super(session);
     this.#mesh = mesh;
     this.#take(state);
@@ -56,7 +59,19 @@ export class Session extends Held {
   }
 
   add_curve(picks, options = {}) {
-    this.#call("add_curve", { picks: coordinates(picks), options });
+    this.add_curves([{ picks, ...options }]);
+  }
+
+  add_curves(curves) {
+    this.#call("add_curves", {
+      curves: curves.map(({ picks, corners = [], tangents = [], ...options }) => (
+        { picks: coordinates(picks), corners: ids(corners), tangents: coordinates(tangents), options }
+      )),
+    });
+  }
+
+  set_kind(pick, kind) {
+    this.#call("set_kind", { pick, kind: PICK_KINDS.indexOf(kind) });
   }
 
   set_options(options, { live = false } = {}) {

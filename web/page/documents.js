@@ -3,10 +3,20 @@
 // back through the drawing, then to the mesh before.
 import { Curve, Session } from "bspline-curve";
 
+import { Brush } from "./brush.js";
+import { HANDLE_PIXELS } from "./handle_pixels.js";
+
+/** Undo leads back over so many meshes at most: each has its tree, some hundred bytes a face. */
+const MOST_MESHES = 20;
+
 export class Documents {
   #all = [];
   #position = -1;
   #options = {}; // of new curves
+
+  get count() {
+    return this.#all.length;
+  }
 
   get now() {
     return this.#all[this.#position];
@@ -24,11 +34,11 @@ export class Documents {
   begin(mesh, source) {
     this.#free(this.#all.splice(0));
     this.#position = -1;
-    return this.#add({ mesh, source, lines: [], labels: null, session: this.#session(mesh) });
+    return this.#add({ mesh, source, lines: [], labels: null, session: this.#session(mesh), isSharp: false });
   }
 
   #session(mesh) {
-    return new Session(mesh, this.#options);
+    return new Session(mesh, { ...this.#options, handles: HANDLE_PIXELS });
   }
 
   /** Of the active curve and of new ones, also of meshes to come. */
@@ -45,20 +55,21 @@ export class Documents {
     return this.now;
   }
 
-  /** What was made of it; `keepsCurves`: they are drawn on it anew. */
-  push({ mesh = this.now.mesh, labels = null, lines = [], keepsCurves = true }) {
+  /** What was made of it; `isSharp`: it has edges to be seen; `keepsCurves`: they are drawn on it anew. */
+  push({ mesh = this.now.mesh, labels = null, lines = [], keepsCurves = true, isSharp = this.now.isSharp }) {
     const before = this.now;
     const session = this.#session(mesh);
     if (keepsCurves && before.session.state.curves.length > 0) {
       session.open("drawing.json", before.session.save("drawing.json"), { first: true });
     }
     const source = mesh === before.mesh ? before.source : { vertices: mesh.vertices, faces: mesh.faces };
-    return this.#add({ mesh, source, lines, labels, session });
+    return this.#add({ mesh, source, lines, labels, session, isSharp });
   }
 
   #add(document) {
     this.dropUndone();
     this.#all.push(document);
+    this.#free(this.#all.splice(0, this.#all.length - MOST_MESHES));
     this.#position = this.#all.length - 1;
     return document;
   }
@@ -156,15 +167,24 @@ export class Documents {
     }, progress);
   }
 
-  use_cut(curves, options, progress) {
+  /** `solid`: what parts become by `height`, in per cent of the diagonal: thickness, base, relief; empty: nothing. */
+  use_cut(curves, { keep, fill, solid, height }, progress) {
+    const size = (height / 100) * this.now.mesh.diagonal;
+    if (solid && size === 0) {
+      throw new Error("Give a height other than 0.");
+    }
+    if (solid === "relief" && keep === "all") {
+      throw new Error("Choose at Keep which parts the relief moves.");
+    }
     return this.#imprinted(curves, (imprint) => {
-      const { pieces, notes, filled_holes, dropped } = imprint.cut({ ...options, progress });
+      const { pieces, notes, filled_holes, dropped } = imprint.cut({ keep, progress, ...(solid ? { [solid]: size } : { fill }) });
       const [first, ...others] = pieces;
       others.forEach(({ mesh }) => mesh.free());
-      this.push({ mesh: first.mesh, labels: options.keep === "all" ? first.labels : null, keepsCurves: false });
+      this.push({ mesh: first.mesh, labels: keep === "all" ? first.labels : null, keepsCurves: false, isSharp: solid !== "" });
       const kept = first.parts.length;
       const holes = filled_holes ? ` ${filled_holes} ${filled_holes === 1 ? "hole was" : "holes were"} filled.` : "";
-      return [`${kept} ${kept === 1 ? "part" : "parts"} kept, ${dropped.length} left out.${holes}`, ...notes];
+      const parts = kept === 1 ? "part" : "parts";
+      return [solid === "relief" ? "The relief is made." : `${kept} ${parts} kept, ${dropped.length} left out.${holes}`, ...notes];
     }, progress);
   }
 
@@ -173,6 +193,51 @@ export class Documents {
     const lines = curves.flatMap((curve) => curve.offset(length, side, { progress }));
     this.push({ lines: [...this.now.lines, ...lines], labels: this.now.labels });
     return [`${lines.length} ${lines.length === 1 ? "curve" : "curves"} at a distance of ${length.toPrecision(4)}.`];
+  }
+
+  // ---- Faces that are painted, and smooth curves along lines
+
+  /** Whether a ray met the mesh. */
+  paint(rays) {
+    const { here } = this;
+    here.brush ??= new Brush(here.mesh);
+    return rays.map((ray) => here.brush.paint(ray)).includes(true);
+  }
+
+  #smoothed(of, options, { name, bytes }) {
+    const { mesh, brush, labels } = this.here;
+    if (of === "parts") {
+      if (!labels) {
+        throw new Error("The mesh has no parts yet: draw curves and press Segment.");
+      }
+      return mesh.fit_boundary(null, { labels, ...options });
+    }
+    if (of === "painted") {
+      if (!brush?.count) {
+        throw new Error("Paint some faces first.");
+      }
+      brush.close();
+      return mesh.fit_boundary(brush.painted, options);
+    }
+    const { curves: lines, notes } = mesh.read_curves(name, bytes);
+    try {
+      return { curves: lines.map(({ points, closed }) => mesh.fit(points, { closed, ...options })), notes };
+    } finally {
+      lines.forEach((line) => line.free());
+    }
+  }
+
+  /** Draws along what is painted, between parts, or along the lines of a file. */
+  smooth(of, { degree, tension, deviation }, file, progress) {
+    const { curves, notes } = this.#smoothed(of, { degree, tension, deviation, progress }, file);
+    this.dropUndone();
+    this.now.session.add_curves(curves.map((curve) => ({
+      ...this.#options, picks: curve.pick_points(), corners: curve.corners, closed: curve.closed, degree, tension,
+      field: "none", pick_tolerance: "0",
+    })));
+    curves.forEach((curve) => curve.free());
+    const points = curves.reduce((sum, { picks }) => sum + picks.length, 0);
+    return [`${curves.length} smooth ${curves.length === 1 ? "curve" : "curves"} through ${points} points.`, ...notes];
   }
 
   // ---- Files

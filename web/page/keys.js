@@ -6,7 +6,7 @@ const ZOOM = 1.15;
 
 const SESSION_KEYS = {
   Enter: "add", m: "move", "]": "next", "[": "previous", g: "next_curve", Delete: "remove", Backspace: "remove", c: "close",
-  n: "new_curve", Escape: "cancel",
+  n: "new_curve", t: "kind", Escape: "cancel",
 };
 
 export function listenToKeys({ canvas, view, input, act }) {
@@ -26,6 +26,10 @@ export function listenToKeys({ canvas, view, input, act }) {
       view.fit();
     } else if (key === "v") {
       act.turn();
+    } else if (key === "s") {
+      act.freehand();
+    } else if (key === "p") {
+      act.paint();
     } else {
       return false;
     }

@@ -13,6 +13,7 @@ const COLOURS = [[225, 60, 30], [30, 110, 200], [20, 140, 80], [170, 90, 190], [
 
 const canvas = document.getElementById("canvas");
 const file = document.getElementById("file");
+const lineFile = document.getElementById("line-file");
 const overlay = document.getElementById("overlay");
 
 const view = new View(canvas);
@@ -22,6 +23,7 @@ const input = new PointerInput(canvas, view, engine, report);
 let drawing = null;
 let shownField = "none";
 let meshName = "mesh";
+let smoothing = {}; // options for the lines of a file that is being chosen
 
 function report(error) {
   panel.say(error.message, true);
@@ -51,11 +53,17 @@ function heard(message) {
   }
   if (message.mesh) {
     view.show(message.mesh, message.lines);
+    panel.hasPainted(false);
+    panel.hasParts(message.mesh.labels !== null);
     shownField = "none";
     panel.hasMesh(true);
     if (panel.field !== "none") {
       act.colourBy(panel.field);
     }
+  }
+  if (message.painted !== undefined) {
+    view.paint(message.painted);
+    panel.hasPainted(message.painted !== null && message.painted.length > 0);
   }
   if (message.drawing) {
     if (message.drawing.curves.length !== drawing?.curves.length) {
@@ -73,6 +81,16 @@ function rayNow() {
   return view.rayAt(...(input.at ?? [canvas.clientWidth / 2, canvas.clientHeight / 2]));
 }
 
+/** One of these at a time. */
+const USES = { turn: "turns", freehand: "strokes", paint: "paints" };
+
+function toggle(id, use) {
+  for (const [other, name] of Object.entries(USES)) {
+    input[name] = name === use && !input[name];
+    panel.pressed(other, input[name]);
+  }
+}
+
 const act = {
   undo: () => ask("undo"),
   redo: () => ask("redo"),
@@ -84,12 +102,25 @@ const act = {
     input.snaps = !input.snaps;
     panel.pressed("snap", input.snaps);
   },
-  turn() {
-    input.turns = !input.turns;
-    panel.pressed("turn", input.turns);
+  turn: () => toggle("turn", "turns"),
+  freehand: () => toggle("freehand", "strokes"),
+  paint: () => toggle("paint", "paints"),
+  unpaint: () => ask("unpaint"),
+  kind: (kind) => ask("kind", { kind }),
+  smooth(of, options) {
+    if (of === "file") { // which people choose now
+      smoothing = options;
+      lineFile.value = "";
+      lineFile.click();
+      return undefined;
+    }
+    return ask("smooth", { of, options });
   },
   fit: () => view.fit(),
-  help: () => overlay.showModal(),
+  help() {
+    overlay.showModal();
+    overlay.scrollTop = 0; // its button at the end has the focus
+  },
   choose: () => file.click(),
   open: () => file.click(),
   cancel: () => engine.restart("Given up; the drawing is as it was.").catch(report),
@@ -154,6 +185,11 @@ async function openFiles(files) {
 file.addEventListener("change", async () => {
   await openFiles(file.files);
   file.value = "";
+});
+lineFile.addEventListener("change", async () => {
+  const [chosen] = lineFile.files;
+  await ask("smooth", { of: "file", options: smoothing, name: chosen.name, bytes: await chosen.arrayBuffer() });
+  lineFile.value = "";
 });
 document.addEventListener("dragover", (event) => {
   event.preventDefault();

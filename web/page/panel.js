@@ -19,10 +19,12 @@ export class Panel {
   #act;
   #drawing = null;
   #hasMesh = false;
+  #hasPainted = false;
+  #hasParts = false;
 
   constructor(act) {
     this.#act = act;
-    for (const id of ["undo", "redo", "close", "new", "remove", "turn", "snap", "fit", "help", "choose", "cancel", "open"]) {
+    for (const id of ["undo", "redo", "close", "new", "remove", "turn", "freehand", "paint", "unpaint", "snap", "fit", "help", "choose", "cancel", "open"]) {
       element(id).addEventListener("click", () => act[id]());
     }
     for (const button of document.querySelectorAll("[data-sample]")) {
@@ -32,16 +34,24 @@ export class Panel {
       element(id).addEventListener("input", () => act.options(this.#options(), id === "tension"));
       element(id).addEventListener("change", () => act.options(this.#options(), false));
     }
+    element("kind").addEventListener("change", () => act.kind(element("kind").value));
+    element("smooth").addEventListener("click", () => act.smooth(element("smooth-of").value, this.#smoothing()));
+    element("smooth-of").addEventListener("change", () => this.#enable());
     element("imprint").addEventListener("click", () => act.use("imprint", {}));
     element("segment").addEventListener("click", () => act.use("segment", {}));
     element("cut").addEventListener("click", () =>
-      act.use("cut", { keep: element("keep").value, fill: element("fill").value }));
+      act.use("cut", {
+        keep: element("keep").value, fill: element("fill").value, solid: element("solid").value,
+        height: element("height").valueAsNumber || 0,
+      }));
     element("offset").addEventListener("click", () =>
       act.use("offset", { distance: element("distance").valueAsNumber, side: element("side").value }));
     element("save-curves").addEventListener("click", () => act.saveCurves(element("curve-format").value));
     element("save-mesh").addEventListener("click", () => act.saveMesh(element("mesh-format").value));
     element("save-picture").addEventListener("click", () => act.savePicture());
-    element("keep").addEventListener("change", () => this.#enable());
+    for (const id of ["keep", "solid"]) {
+      element(id).addEventListener("change", () => this.#enable());
+    }
     this.#enable();
   }
 
@@ -57,7 +67,15 @@ export class Panel {
     };
   }
 
-  /** The kind that is chosen. */
+  #smoothing() {
+    const deviation = element("deviation").valueAsNumber || 0;
+    return {
+      degree: Number(element("degree").value), tension: element("tension").valueAsNumber,
+      deviation: deviation > 0 ? `${deviation} edges` : "0",
+    };
+  }
+
+  /** The kind of field that is chosen. */
   get field() {
     return element("field").value;
   }
@@ -72,14 +90,27 @@ export class Panel {
     this.#enable();
   }
 
+  hasPainted(hasPainted) {
+    this.#hasPainted = hasPainted;
+    this.#enable();
+  }
+
+  hasParts(hasParts) {
+    this.#hasParts = hasParts;
+    this.#enable();
+  }
+
   #enable() {
     const drawing = this.#drawing;
+    const isThere = { painted: this.#hasPainted, parts: this.#hasParts, file: this.#hasMesh }[element("smooth-of").value];
     const hasCurves = this.#hasMesh && drawing !== null && drawing.curves.some(({ points }) => points.length > 0);
     const may = {
       undo: drawing?.can_undo, redo: drawing?.can_redo, close: this.#active && this.#active.picks.length >= 9, new: this.#active,
-      remove: this.#active, turn: this.#hasMesh, snap: this.#hasMesh, fit: this.#hasMesh, imprint: hasCurves, segment: hasCurves, cut: hasCurves,
+      remove: this.#active, turn: this.#hasMesh, freehand: this.#hasMesh, paint: this.#hasMesh, unpaint: this.#hasPainted, smooth: isThere,
+      kind: this.#active && drawing.selected >= 0, snap: this.#hasMesh, fit: this.#hasMesh, imprint: hasCurves, segment: hasCurves, cut: hasCurves,
       offset: hasCurves, "save-curves": this.#hasMesh && drawing?.curves.length > 0, "save-mesh": this.#hasMesh,
-      "save-picture": this.#hasMesh, fill: element("keep").value !== "all",
+      "save-picture": this.#hasMesh, fill: element("keep").value !== "all" && element("solid").value === "",
+      height: element("solid").value !== "",
     };
     for (const [id, isOn] of Object.entries(may)) {
       element(id).disabled = !isOn;
@@ -97,6 +128,7 @@ export class Panel {
     if (active && !document.activeElement.closest?.("aside label")) {
       this.#showOptions(active.options);
     }
+    element("kind").selectedIndex = active && drawing.selected >= 0 ? active.kinds[drawing.selected] : 0;
     element("tension-value").textContent = element("tension").value;
     this.#showList(drawing);
     this.#enable();

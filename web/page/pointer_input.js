@@ -4,6 +4,7 @@
 
 const FINGER = 2.3; // pixels of a mouse that are one of a finger, which hits less exactly
 const LONG_WAIT = 400; // ms: a press that is answered so late is the camera's no more
+const BRUSH_STEP = 8; // pixels
 
 export class PointerInput {
   #canvas;
@@ -11,12 +12,18 @@ export class PointerInput {
   #engine;
   #fingers = new Map(); // where each pointer that is down was last
   #use = null; // of the press: "asked", "draw", "turn", "move"
-  #isMoveSent = false;
-  #nextMove = null;
+  #work = null; // of the press that is the drawing's: "drag", "stroke", "paint"
+  #isSending = false;
+  #moves = []; // that wait: of a drag the newest, of strokes and paint all
+  #before = null; // where the brush was
   /** The first button turns the view. */
   turns = false;
   /** Points snap without a key, too. */
   snaps = false;
+  /** A drag draws a line freehand without a key, too. */
+  strokes = false;
+  /** The first button paints faces. */
+  paints = false;
   /** Where the pointer is over the canvas; null: it is not. */
   at = null;
 
@@ -38,10 +45,14 @@ export class PointerInput {
     return [event.offsetX, event.offsetY];
   }
 
-  #rayOf(event) {
-    const ray = this.#view.rayAt(...this.#placeOf(event));
-    const pixel = ray.pixel * (event.pointerType === "touch" ? FINGER : 1);
-    return { ...ray, pixel, snaps: event.altKey || this.snaps, removes: event.ctrlKey || event.metaKey };
+  #rayOf(event, place = this.#placeOf(event)) {
+    const scale = event.pointerType === "touch" ? FINGER : 1;
+    this.#view.setPointerScale(scale);
+    const ray = this.#view.rayAt(...place);
+    return {
+      ...ray, pixel: scale * ray.pixel, snaps: event.altKey || this.snaps, removes: event.ctrlKey || event.metaKey,
+      strokes: event.shiftKey || this.strokes,
+    };
   }
 
   #send(kind, event) {
@@ -65,8 +76,11 @@ export class PointerInput {
       this.#use = "turn";
     } else if (event.button === 0) {
       this.#use = "asked";
+      this.#work = this.paints ? "paint" : event.shiftKey || this.strokes ? "stroke" : "drag";
+      this.#moves = [];
+      this.#before = this.#placeOf(event);
       const start = performance.now();
-      const isTaken = await this.#send("press", event);
+      const isTaken = await (this.paints ? this.#paint([this.#rayOf(event)]) : this.#send("press", event));
       if (this.#use === "asked") {
         this.#use = isTaken ? "draw" : performance.now() - start < LONG_WAIT ? "turn" : null;
       }
@@ -81,7 +95,7 @@ export class PointerInput {
 
   #giveUp() {
     if (this.#use === "draw" || this.#use === "asked") {
-      this.#nextMove = null;
+      this.#moves = [];
       this.#engine.request("event", { event: { event: "key", key: "cancel", ...this.#view.rayAt(0, 0) } }).catch(this.report);
     }
   }
@@ -127,34 +141,61 @@ export class PointerInput {
     this.#view.draw();
   }
 
-  // One at a time: the newest waits until the worker has taken the one before.
-  #sendMove(event) {
-    this.#nextMove = { event: "move", ...this.#rayOf(event) };
-    if (this.#isMoveSent) {
-      return;
-    }
-    this.#flushMove();
+  #paint(rays) {
+    return this.#engine.request("paint", { rays }).catch((error) => {
+      this.report(error);
+      return false;
+    });
   }
 
-  async #flushMove() {
-    while (this.#nextMove) {
-      const move = this.#nextMove;
-      this.#nextMove = null;
-      this.#isMoveSent = true;
-      try {
-        await this.#engine.request("event", { event: move });
-      } catch (error) {
-        this.report(error);
-      }
-      this.#isMoveSent = false;
+  // Of a drag the newest waits until the worker has taken the one before.
+  #sendMove(event) {
+    const isDown = this.#fingers.has(event.pointerId);
+    if (isDown && this.#work === "paint") {
+      this.#moves.push(...this.#brushedTo(event));
+    } else if (isDown && this.#work === "stroke") {
+      const { left, top } = this.#canvas.getBoundingClientRect();
+      const all = event.getCoalescedEvents?.() ?? [];
+      const places = all.length > 1 ? all.map(({ clientX, clientY }) => [clientX - left, clientY - top]) : [this.#placeOf(event)];
+      this.#moves.push(...places.map((place) => ({ event: "move", ...this.#rayOf(event, place) })));
+    } else {
+      this.#moves = [{ event: "move", ...this.#rayOf(event) }];
     }
+    this.#flushMoves();
+  }
+
+  // Rays on the way from where the brush was.
+  #brushedTo(event) {
+    const [to, from] = [this.#placeOf(event), this.#before];
+    const steps = Math.max(1, Math.ceil(Math.hypot(to[0] - from[0], to[1] - from[1]) / BRUSH_STEP));
+    this.#before = to;
+    return Array.from({ length: steps }, (_, i) =>
+      this.#rayOf(event, from.map((value, axis) => value + ((i + 1) / steps) * (to[axis] - value))));
+  }
+
+  async #flushMoves() {
+    if (this.#isSending) {
+      return;
+    }
+    this.#isSending = true;
+    while (this.#moves.length > 0) {
+      const moves = this.#moves;
+      this.#moves = [];
+      if ("event" in moves[0]) {
+        await this.#engine.request("events", { events: moves }).catch(this.report);
+      } else {
+        await this.#paint(moves);
+      }
+    }
+    this.#isSending = false;
   }
 
   #release(event) {
     this.#fingers.delete(event.pointerId);
-    if (this.#use === "draw" || this.#use === "asked") {
-      this.#nextMove = null;
-      this.#send("release", event);
+    if ((this.#use === "draw" || this.#use === "asked") && this.#work !== "paint") {
+      const moves = this.#work === "stroke" ? this.#moves : [];
+      this.#moves = [];
+      this.#engine.request("events", { events: [...moves, { event: "release", ...this.#rayOf(event) }] }).catch(this.report);
     }
     if (this.#fingers.size === 0) {
       this.#use = null;
@@ -164,7 +205,7 @@ export class PointerInput {
   #leave() {
     this.at = null;
     if (this.#use === null) {
-      this.#nextMove = null;
+      this.#moves = [];
       this.#engine.request("event", { event: { event: "leave" } }).catch(this.report);
     }
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Arrays that a graphics card takes: floats about the middle, so that meshes far from the origin keep their shape.
+import { partColour } from "./colours.js";
 
 function boxOf(vertices) {
   const low = [Infinity, Infinity, Infinity];
@@ -29,6 +30,27 @@ function normalsOf(positions, faces) {
   return normals; // the card makes them unit vectors
 }
 
+/** Of values of vertices, 3 of each, those of the 3 corners of each face. */
+export function atCorners(values, faces) {
+  const corners = new values.constructor(3 * faces.length);
+  for (let i = 0; i < faces.length; ++i) {
+    const at = 3 * faces[i];
+    corners[3 * i] = values[at];
+    corners[3 * i + 1] = values[at + 1];
+    corners[3 * i + 2] = values[at + 2];
+  }
+  return corners;
+}
+
+// Faces of parts look different at one vertex: corners of their own.
+function cornersOf(positions, normals, faces, labels) {
+  const tints = new Uint8Array(3 * faces.length);
+  for (let i = 0; i < faces.length; ++i) {
+    tints.set(partColour(labels[Math.floor(i / 3)]), 3 * i);
+  }
+  return { positions: atCorners(positions, faces), normals: atCorners(normals, faces), tints };
+}
+
 /**
  * @param {import("bspline-curve").Mesh} mesh
  * @param {Int32Array | null} labels a part of each face, to be told by colours
@@ -45,8 +67,10 @@ export function shownMesh({ vertices, faces, colours, texture_coordinates: textu
     squared = Math.max(squared, positions[i] ** 2 + positions[i + 1] ** 2 + positions[i + 2] ** 2);
   }
   const radius = Math.sqrt(squared) || 1;
+  const normals = normalsOf(positions, faces);
   return {
-    positions, normals: normalsOf(positions, faces), faces: new Uint32Array(faces), colours, labels, middle, radius,
+    positions, normals, faces: new Uint32Array(faces), colours, labels, middle, radius,
+    corners: labels && cornersOf(positions, normals, faces, labels),
     uv: texture && Float32Array.from(texture), // of corners
   };
 }

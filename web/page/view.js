@@ -2,14 +2,15 @@
 // What is seen: the mesh, the curves, their picks. Drawn only when something changed.
 import {
   AmbientLight, BufferAttribute, BufferGeometry, Color, ColorManagement, DirectionalLight, DoubleSide, LinearSRGBColorSpace, Mesh,
-  MeshLambertMaterial, Points, Scene, ShaderMaterial, Texture, WebGLRenderer,
+  MeshBasicMaterial, MeshLambertMaterial, Scene, Sphere, Texture, Vector3, WebGLRenderer,
 } from "three";
 import { Line2 } from "three/addons/lines/Line2.js";
 import { LineGeometry } from "three/addons/lines/LineGeometry.js";
-import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 
 import { Camera } from "./camera.js";
-import { partColour, valueColour } from "./colours.js";
+import { Glyphs } from "./glyphs.js";
+import { lineMaterial } from "./line_materials.js";
+import { atCorners } from "./shown_mesh.js";
 
 // Colours are shown as they are in the file.
 ColorManagement.enabled = false;
@@ -17,28 +18,8 @@ ColorManagement.enabled = false;
 const CURVE_WIDTH = 3.5; // pixels
 const PREVIEW_WIDTH = 2;
 const LINE_WIDTH = 2.5;
-const PICK_SIZE = 12;
-const SELECTED_SIZE = 17;
-
-// Round points of fixed size, a little in front of the surface that they lie on.
-function pointMaterial(scale) {
-  return new ShaderMaterial({
-    vertexShader: `attribute vec3 colour; attribute float size; varying vec3 shown;
-      void main() {
-        shown = colour;
-        // Nearer to the viewer, so at the same place of the view.
-        gl_Position = projectionMatrix * vec4(0.985 * (modelViewMatrix * vec4(position, 1.0)).xyz, 1.0);
-        gl_PointSize = size * ${scale.toFixed(3)};
-      }`,
-    fragmentShader: `varying vec3 shown;
-      void main() {
-        float r = length(gl_PointCoord - 0.5);
-        if (r > 0.5) { discard; }
-        gl_FragColor = vec4(r > 0.38 ? vec3(1.0) : shown, 1.0);
-      }`,
-  });
-}
-
+const STROKE_COLOUR = [120, 60, 160];
+const PAINT = { color: 0xffa000, transparent: true, opacity: 0.55, depthWrite: false, side: DoubleSide };
 export class View {
   camera = new Camera();
   #canvas;
@@ -51,7 +32,9 @@ export class View {
   #curves = new Map(); // Line2 of each, by id
   #lines = [];
   #preview = null;
-  #picks = null;
+  #stroke = null;
+  #painted = null; // faces
+  #glyphs = new Glyphs(this.#scene);
   #isWaiting = false;
 
   constructor(canvas) {
@@ -86,9 +69,14 @@ export class View {
       this.#isWaiting = true;
       requestAnimationFrame(() => {
         this.#isWaiting = false;
-        this.#renderer.render(this.#scene, this.camera.three);
+        this.#render();
       });
     }
+  }
+
+  #render() {
+    this.#glyphs.place(this.camera);
+    this.#renderer.render(this.#scene, this.camera.three);
   }
 
   // ---- The mesh
@@ -97,7 +85,8 @@ export class View {
     const isNew = !this.#shown || this.#shown.radius !== shown.radius || this.#shown.middle.some((value, i) => value !== shown.middle[i]);
     this.#shown = shown;
     this.#showSurface();
-    this.#lines.forEach((line) => this.#remove(line));
+    this.paint(null);
+    this.#lines.forEach((line) => this.#removeLine(line));
     this.#lines = lines.map(({ points, closed }) => this.#line(points, closed, [0x1d, 0x6f, 0xb8], LINE_WIDTH));
     this.#lines.forEach((line) => this.#scene.add(line));
     if (isNew) {
@@ -110,7 +99,7 @@ export class View {
     this.#remove(this.#mesh);
     const isTextured = this.#texture !== null && this.#shown.uv !== null && this.#shown.labels === null;
     this.#mesh = new Mesh(this.#geometry(this.#shown, isTextured), new MeshLambertMaterial({
-      color: 0xffffff, vertexColors: true, map: isTextured ? this.#texture : null, side: DoubleSide,
+      color: 0xffffff, vertexColors: true, map: isTextured ? this.#texture : null, side: DoubleSide, flatShading: this.#shown.isSharp,
       polygonOffset: true, polygonOffsetFactor: 1.5, polygonOffsetUnits: 4, // lines lie on it
     }));
     this.#scene.add(this.#mesh);
@@ -126,55 +115,73 @@ export class View {
     }
   }
 
-  #geometry({ positions, normals, faces, colours, labels, uv }, isTextured) {
+  #geometry({ positions, normals, faces, colours, corners, uv, radius }, isTextured) {
     const geometry = new BufferGeometry();
-    if (labels || isTextured) { // faces look different at one vertex: corners of their own
-      const count = faces.length;
-      const [corners, directions] = [new Float32Array(3 * count), new Float32Array(3 * count)];
-      const tints = new Uint8Array(3 * count).fill(255);
-      for (let i = 0; i < count; ++i) {
-        const at = 3 * faces[i];
-        corners.set(positions.subarray(at, at + 3), 3 * i);
-        directions.set(normals.subarray(at, at + 3), 3 * i);
-        if (labels) {
-          tints.set(partColour(labels[Math.floor(i / 3)]), 3 * i);
-        }
-      }
-      geometry.setAttribute("position", new BufferAttribute(corners, 3));
-      geometry.setAttribute("normal", new BufferAttribute(directions, 3));
-      geometry.setAttribute("color", new BufferAttribute(tints, 3, true));
-      if (isTextured) {
-        geometry.setAttribute("uv", new BufferAttribute(uv, 2));
-      }
-      return geometry;
+    const set = (name, values, size, isNormalised = false) =>
+      geometry.setAttribute(name, new BufferAttribute(values, size, isNormalised));
+    if (corners) {
+      set("position", corners.positions, 3);
+      set("normal", corners.normals, 3);
+      set("color", corners.tints, 3, true);
+    } else if (isTextured) {
+      set("position", atCorners(positions, faces), 3);
+      set("normal", atCorners(normals, faces), 3);
+      set("color", new Uint8Array(3 * faces.length).fill(255), 3, true);
+      set("uv", uv, 2);
+    } else {
+      set("position", positions, 3);
+      set("normal", normals, 3);
+      set("color", colours ?? new Uint8Array(positions.length).fill(205), 3, true);
+      geometry.setIndex(new BufferAttribute(faces, 1));
     }
-    geometry.setAttribute("position", new BufferAttribute(positions, 3));
-    geometry.setAttribute("normal", new BufferAttribute(normals, 3));
-    geometry.setIndex(new BufferAttribute(faces, 1));
-    geometry.setAttribute("color", new BufferAttribute(colours ?? new Uint8Array(positions.length).fill(205), 3, true));
+    geometry.boundingSphere = new Sphere(new Vector3(), radius);
     return geometry;
   }
 
-  /** Colours the mesh by a value in [0, 1] of each vertex; null: as it was. */
-  colourBy(values) {
+  /** Colours the mesh by 3 numbers of each vertex, 0 to 255; null: as it was. */
+  colourBy(tints) {
     if (!this.#shown || this.#shown.labels || !this.#mesh.geometry.index) {
       return;
     }
-    const tints = new Uint8Array(this.#shown.positions.length);
-    if (values) {
-      values.forEach((value, i) => tints.set(valueColour(value), 3 * i));
+    const colours = tints ?? this.#shown.colours ?? new Uint8Array(this.#shown.positions.length).fill(205);
+    this.#mesh.geometry.setAttribute("color", new BufferAttribute(colours, 3, true));
+    this.draw();
+  }
+
+  /** Faces that are chosen, three ids of vertices of each; null: none. */
+  paint(faces) {
+    if (!faces) {
+      this.#remove(this.#painted);
+      this.#painted = null;
     } else {
-      tints.set(this.#shown.colours ?? tints.fill(205));
+      if (!this.#painted) {
+        const geometry = new BufferGeometry();
+        geometry.setAttribute("position", new BufferAttribute(this.#shown.positions, 3));
+        geometry.boundingSphere = new Sphere(new Vector3(), this.#shown.radius);
+        geometry.setIndex(new BufferAttribute(new Uint32Array(this.#shown.faces.length), 1));
+        this.#painted = new Mesh(geometry, new MeshBasicMaterial(PAINT));
+        this.#scene.add(this.#painted);
+      }
+      const { index } = this.#painted.geometry;
+      index.array.set(faces);
+      index.clearUpdateRanges();
+      index.addUpdateRange(0, faces.length);
+      index.needsUpdate = true;
+      this.#painted.geometry.setDrawRange(0, faces.length);
     }
-    this.#mesh.geometry.setAttribute("color", new BufferAttribute(tints, 3, true));
     this.draw();
   }
 
   #remove(object) {
+    this.#removeLine(object);
+    object?.material.dispose();
+  }
+
+  // Whose material is kept.
+  #removeLine(object) {
     if (object) {
       this.#scene.remove(object);
       object.geometry.dispose();
-      object.material.dispose();
     }
   }
 
@@ -190,13 +197,14 @@ export class View {
     const all = isClosed ? Float32Array.from([...local, ...local.subarray(0, 3)]) : local;
     const geometry = new LineGeometry();
     geometry.setPositions(all);
-    const line = new Line2(geometry, new LineMaterial({ color: new Color(...colour.map((c) => c / 255)), linewidth: width }));
+    const line = new Line2(geometry, lineMaterial(colour, width));
     line.frustumCulled = false;
     return line;
   }
 
   /** What is drawn, as the session tells it. */
-  showDrawing({ curves, active, selected, hovered, preview }) {
+  showDrawing(drawing) {
+    const { curves, active, preview, stroke } = drawing;
     if (!this.#shown) {
       return;
     }
@@ -214,37 +222,20 @@ export class View {
         this.#curves.set(curve.id, { curve, line });
       }
     }
-    before.forEach(({ line }) => this.#remove(line));
-    this.#remove(this.#preview);
+    before.forEach(({ line }) => this.#removeLine(line));
+    this.#removeLine(this.#preview);
     this.#preview = null;
     if (preview && active >= 0) {
       this.#preview = this.#line(preview, curves[active].options.closed, [140, 140, 150], PREVIEW_WIDTH);
       this.#scene.add(this.#preview);
     }
-    this.#showPicks(curves, active, selected, hovered);
+    this.#removeLine(this.#stroke);
+    this.#stroke = stroke.length >= 6 ? this.#line(stroke, false, STROKE_COLOUR, PREVIEW_WIDTH) : null;
+    if (this.#stroke) {
+      this.#scene.add(this.#stroke);
+    }
+    this.#glyphs.show(drawing, (points) => this.#local(points));
     this.draw();
-  }
-
-  #showPicks(curves, active, selected, hovered) {
-    this.#remove(this.#picks);
-    const [positions, colours, sizes] = [[], [], []];
-    curves.forEach((curve, c) => {
-      const count = curve.hidden ? 0 : curve.picks.length / 3;
-      for (let i = 0; i < count; ++i) {
-        const isBad = curve.problem && (curve.problem.picks.length === 0 || curve.problem.picks.includes(i));
-        const isChosen = (c === active && i === selected) || (c === hovered.curve && i === hovered.pick);
-        positions.push(...curve.picks.subarray(3 * i, 3 * i + 3));
-        colours.push(...(isBad ? [0.9, 0, 0] : c === active ? [0.1, 0.12, 0.15] : [0.5, 0.53, 0.57]));
-        sizes.push(isChosen ? SELECTED_SIZE : PICK_SIZE);
-      }
-    });
-    const geometry = new BufferGeometry();
-    geometry.setAttribute("position", new BufferAttribute(this.#local(positions), 3));
-    geometry.setAttribute("colour", new BufferAttribute(Float32Array.from(colours), 3));
-    geometry.setAttribute("size", new BufferAttribute(Float32Array.from(sizes), 1));
-    this.#picks = new Points(geometry, pointMaterial(Math.min(devicePixelRatio, 2)));
-    this.#picks.frustumCulled = false;
-    this.#scene.add(this.#picks);
   }
 
   // ---- Between the view and the mesh
@@ -268,14 +259,31 @@ export class View {
     return { start: start.map((value, i) => value + middle[i]), direction, pixel: this.camera.pixel };
   }
 
+  /** Pixels of the view that are one of the pointer's: fingers have large ones. */
+  setPointerScale(scale) {
+    if (scale !== this.#glyphs.pointerScale) {
+      this.#glyphs.pointerScale = scale;
+      this.draw();
+    }
+  }
+
+  /** Where the handles of the selected pick's direction are on the canvas, in pixels. */
+  get handles() {
+    return this.#glyphs.handlePlaces(this.camera).map((place) => this.#onCanvas(place));
+  }
+
   /** Where a point of the mesh is on the canvas, in pixels. */
   placeOf(point) {
-    const at = this.#picks.position.clone().fromArray(this.#local(point)).project(this.camera.three);
+    return this.#onCanvas(new Vector3().fromArray(this.#local(point)));
+  }
+
+  #onCanvas(place) {
+    const at = place.project(this.camera.three);
     return [((at.x + 1) / 2) * this.#canvas.clientWidth, ((1 - at.y) / 2) * this.#canvas.clientHeight];
   }
 
   picture() {
-    this.#renderer.render(this.#scene, this.camera.three);
+    this.#render();
     return new Promise((done) => this.#canvas.toBlob(done, "image/png"));
   }
 }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The worker: everything that takes time. Requests come in order, each with a number, and are answered; what is to be
 // seen of the drawing is told after each, and after each curve that was solved meanwhile.
-import { init, Mesh } from "bspline-curve";
+import { init, Mesh, PICK_KINDS } from "bspline-curve";
+import { memoryBytes } from "../module/instance.js";
 
+import { valueColour } from "./colours.js";
 import { Documents } from "./documents.js";
 import { SAMPLES } from "./samples.js";
 import { shownMesh } from "./shown_mesh.js";
@@ -37,12 +39,21 @@ function tell() {
 }
 
 function showMesh() {
-  const { mesh, labels, lines, source } = documents.now;
+  const { mesh, labels, lines, source, isSharp } = documents.now;
   const shown = shownMesh(mesh, labels);
   postMessage(
-    { mesh: { ...shown, source }, lines: lines.map(({ points, closed }) => ({ points, closed })) },
-    [shown.positions.buffer, shown.normals.buffer, shown.faces.buffer],
+    { mesh: { ...shown, source, isSharp }, lines: lines.map(({ points, closed }) => ({ points, closed })) },
+    [shown, shown.corners ?? {}].flatMap(({ positions, normals, faces, tints }) => [positions, normals, faces, tints])
+      .flatMap((array) => array?.buffer ?? []),
   );
+  if (documents.now.brush) {
+    showPainted();
+  }
+}
+
+function showPainted() {
+  const { corners } = documents.now.brush;
+  postMessage({ painted: corners }, [corners.buffer]);
 }
 
 // ---- Curves that wait are solved between requests
@@ -116,10 +127,21 @@ function openFile({ name, bytes, options }) {
 
 // ---- Requests
 
-/** Values between 0 and 1 that colour the mesh. */
+/** Whether the drawing took an event. */
+function carryOut(event) {
+  const isTaken = documents.now?.session.event(event) ?? false;
+  if (isTaken && event.event !== "move" && event.event !== "leave") {
+    documents.dropUndone();
+  }
+  return isTaken;
+}
+
+/** Colours of vertices, 3 numbers of each. */
 function fieldColours(kind) {
   const values = documents.here.mesh.field(kind, { normalised: true, progress });
-  return Float32Array.from(values);
+  const tints = new Uint8Array(3 * values.length);
+  values.forEach((value, i) => tints.set(valueColour(value), 3 * i));
+  return tints;
 }
 
 const requests = {
@@ -137,7 +159,9 @@ const requests = {
       : new Mesh(source.vertices, source.faces, { slits: true, progress });
     documents.begin(mesh, source);
     curves.forEach((curve, i) => {
-      documents.now.session.add_curve(curve.picks, curve.options);
+      const { picks, kinds, tangents, options } = curve;
+      const corners = [...kinds.keys()].filter((pick) => PICK_KINDS[kinds[pick]] === "corner");
+      documents.now.session.add_curve(picks, { corners, tangents, ...options });
       documents.now.session.set_look(i, { name: curve.name, colour: curve.colour, hidden: curve.hidden });
     });
     if (active >= 0) {
@@ -145,12 +169,32 @@ const requests = {
     }
     showMesh();
   },
-  event({ event }) {
-    const isTaken = documents.now?.session.event(event) ?? false;
-    if (isTaken && event.event !== "move" && event.event !== "leave") {
-      documents.dropUndone();
+  event: ({ event }) => carryOut(event),
+  events: ({ events }) => events.map(carryOut).includes(true),
+  paint({ rays }) {
+    const isMet = documents.now !== undefined && documents.paint(rays);
+    if (isMet) {
+      showPainted();
     }
-    return isTaken;
+    return isMet;
+  },
+  unpaint() {
+    documents.here.brush = null;
+    postMessage({ painted: null });
+  },
+  kind({ kind }) {
+    const { session } = documents.here;
+    if (session.state.selected >= 0) {
+      documents.dropUndone();
+      session.set_kind(session.state.selected, kind);
+    }
+  },
+  smooth({ of, options, name, bytes }) {
+    const words = documents.smooth(of, options, { name, bytes }, progress);
+    if (of === "painted") {
+      showPainted();
+    }
+    return words;
   },
   options({ options, live }) {
     documents.setOptions(options, live);
@@ -191,6 +235,8 @@ const requests = {
   },
   field: ({ kind }) => fieldColours(kind),
   save_curves: ({ name }) => documents.saveCurves(name),
+  /** Of the module. */
+  memory: () => ({ bytes: memoryBytes(), meshes: documents.count }),
   save_mesh: ({ name }) => documents.here.mesh.save(name),
 };
 
@@ -200,7 +246,9 @@ onmessage = async ({ data: { number, request, values } }) => {
     const answer = requests[request](values ?? {});
     postMessage({ number, answer: answer ?? null });
   } catch (error) {
-    postMessage({ number, error: { message: error.message, code: error.code ?? "page" } });
+    // Errors of the page's own have words for people; others are faults of it.
+    const code = error.code ?? (error.constructor === Error ? "page" : "internal");
+    postMessage({ number, error: { message: error.message, code } });
   }
   tell();
   solveSoon();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/paper/sample_walker.h"
 #include "solver/quadrature.h"
+#include "solver/sample_walker.h"
 
 #include <algorithm>
 #include <optional>

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filters/edit_requests.h"
+
+#include "filters/binding_makers.h"
+#include "filters/requests.h"
+
+#include <algorithm>
+#include <charconv>
+#include <string_view>
+#include <system_error>
+
+namespace bspline_curve {
+
+namespace {
+
+std::vector<double> parametersOf(const std::string& text) {
+    constexpr std::string_view kBetween = ", \t";
+    std::vector<double> parameters;
+    std::string_view rest = text;
+    const auto skipBetween = [&rest] {
+        rest.remove_prefix(std::min(rest.find_first_not_of(kBetween), rest.size()));
+    };
+    for (skipBetween(); !rest.empty(); skipBetween()) {
+        const std::string_view word = rest.substr(0, rest.find_first_of(kBetween));
+        rest.remove_prefix(word.size());
+        double& parameter = parameters.emplace_back(0.0);
+        const char* const end = word.data() + word.size();
+        const auto [stop, error] = std::from_chars(word.data(), end, parameter);
+        if (error != std::errc() || stop != end || !(parameter >= 0.0 && parameter <= 1.0)) {
+            refuseChoice(
+                "at is \"" + text +
+                "\", but must be parameters in [0, 1] with commas between them, as \"0.25, 0.75\""
+            );
+        }
+    }
+    return parameters;
+}
+
+}  // namespace
+
+Bindings<EditRequest> editBindings() {
+    using E = EditRequest;
+    return {
+        chosen(
+            "edit",
+            &E::edit,
+            Names<CurveEdit>{
+                {"join", CurveEdit::Join},
+                {"split", CurveEdit::Split},
+                {"trim", CurveEdit::Trim},
+                {"extend", CurveEdit::Extend},
+                {"reverse", CurveEdit::Reverse}
+            }
+        ),
+        bound("at", &E::at),
+        bound("extension", &E::extension),
+        chosen(
+            "ends",
+            &E::ends,
+            Names<CurveEnds>{
+                {"end", CurveEnds::End}, {"start", CurveEnds::Start}, {"both", CurveEnds::Both}
+            }
+        ),
+    };
+}
+
+Bindings<JoinOptions> joinBindings() {
+    return {
+        bound("smooth", &JoinOptions::isSmooth),
+        boundLength("gap", &JoinOptions::gap),
+        boundLength("blend", &JoinOptions::blend),
+    };
+}
+
+EditRequest editRequest(const ParameterValues& values) {
+    EditRequest request;
+    request.use = curveUse(values);
+    readAll(values, editBindings(), request);
+    readAll(values, joinBindings(), request.join);
+    request.join.validate();
+    checkLength("extension", request.extension);
+    const bool isCut = request.edit == CurveEdit::Split || request.edit == CurveEdit::Trim;
+    if (isCut) {
+        request.parameters = parametersOf(request.at);
+        if (request.parameters.empty()) {
+            refuseChoice("at is empty, but must say where curves are cut, as \"0.25, 0.75\"");
+        }
+    }
+    if (request.edit == CurveEdit::Trim && request.parameters.size() != 2) {
+        refuseChoice(
+            "at is \"" + request.at + "\", but must be two parameters where edit is \"trim\""
+        );
+    }
+    return request;
+}
+
+}  // namespace bspline_curve
