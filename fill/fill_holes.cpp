@@ -138,9 +138,8 @@ public:
         report(noted, reached, "filling a hole");
         rim_ = rim;
         best_.reset();
-        checker_.begin(rims_[rim], std::ranges::min(rimPatch().most), [&] {
-            report(noted, reached, "checking a patch");
-        });
+        goOn_ = [&] { report(noted, reached, "checking a patch"); };
+        checker_.begin(rims_[rim], std::ranges::min(rimPatch().most), goOn_);
         if (shape == FillShape::Flat) {
             fillFlat(noted);
         } else {
@@ -195,9 +194,9 @@ private:
     bool fairFromRim(const Patch& rim, const RimSurroundings& around, const Progress& progress) {
         Patch smooth = rim;
         // What is refined afterwards need not begin with the best triangulation.
-        smooth.faces = triangulateRim(rim.points, rim.forbidden, kFewRimPoints);
+        smooth.faces = triangulateRim(rim.points, rim.forbidden, goOn_, kFewRimPoints);
         if (smooth.faces.empty()) {
-            smooth.faces = triangulateRim(rim.points, rim.forbidden);
+            smooth.faces = triangulateRim(rim.points, rim.forbidden, goOn_);
         }
         if (smooth.faces.empty() || isFaceOfMesh()) {
             closeWithMiddle(smooth);
@@ -294,7 +293,7 @@ private:
             return true;
         }
         Patch bent = rim;
-        bent.faces = triangulateRim(rim.points, rim.forbidden);
+        bent.faces = triangulateRim(rim.points, rim.forbidden, goOn_);
         return accept(std::move(bent)) || (!isPlanar && inPlane()) || repair() ||
                triangulateAround(rim);
     }
@@ -311,9 +310,12 @@ private:
             region = grown(before.faces, region, rings);
             Patch patch = before;
             patch.faces = retriangulated(
-                before.points, before.faces, before.forbidden, region, [&](const Triangle& places) {
-                    return checker_.isFree(places);
-                }
+                before.points,
+                before.faces,
+                before.forbidden,
+                region,
+                [&](const Triangle& places) { return checker_.isFree(places); },
+                goOn_
             );
             if (accept(std::move(patch))) {
                 return true;
@@ -330,7 +332,8 @@ private:
         };
         for (int i = 0; i < kMostTriangulations; ++i) {
             Patch patch = rim;
-            patch.faces = triangulateRim(rim.points, rim.forbidden, kFewRimPoints, isAllowed);
+            patch.faces =
+                triangulateRim(rim.points, rim.forbidden, goOn_, kFewRimPoints, isAllowed);
             if (patch.faces.empty()) {
                 return false;
             }
@@ -570,6 +573,7 @@ private:
     FilledMesh result_;
     PatchChecker checker_;
     std::size_t rim_ = 0;  // that is being filled
+    GoOn goOn_ = [] {};
     std::optional<Attempt> best_;
 };
 

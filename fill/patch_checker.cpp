@@ -15,6 +15,7 @@ constexpr double kFineRelative = 1e-5;
 /// Of single triangles for one rim: hundredths of a second. Of the flat fills looked at, those that
 /// could be repaired needed at most 3300.
 constexpr int kMostTests = 4000;
+constexpr int kTestsBetween = 256;  // two calls of goOn
 
 std::vector<Vec3> inSinglePrecision(std::vector<Vec3> points) {
     for (Vec3& point : points) {
@@ -65,9 +66,7 @@ PatchChecker::PatchChecker(const TriangleMesh& mesh)
     }
 }
 
-void PatchChecker::begin(
-    const std::vector<int>& rim, double leastSize, std::function<void()> goOn
-) {
+void PatchChecker::begin(const std::vector<int>& rim, double leastSize, GoOn goOn) {
     rim_ = rim;
     goOn_ = std::move(goOn);
     testsLeft_ = kMostTests;
@@ -110,18 +109,13 @@ void PatchChecker::withPlaced(const Patch& patch, const Use& use) {
 
 PatchCrossings PatchChecker::crossingsOf(const Patch& patch) {
     PatchCrossings crossing;
-    const auto goOn = [&] {
-        if (goOn_) {
-            goOn_();
-        }
-    };
-    goOn();
+    goOn_();
     withPlaced(patch, [&](const std::vector<Triangle>& faces) {
         crossing.clearly = finder_.crossingsOf(faces).faces();
         if (!crossing.clearly.empty() || isFine_) {
             return;
         }
-        goOn();
+        goOn_();
         crossing.narrowly = roundedFinder_.crossingsOf(faces).faces();
         for (const int face : crossing.narrowly) {
             if (!roundedFinder_.isSliver(faces[face])) {
@@ -161,6 +155,9 @@ std::vector<std::pair<int, int>> PatchChecker::crossingPairs(const Patch& patch)
 bool PatchChecker::isFree(const Triangle& places) {
     if (--testsLeft_ < 0) {
         return false;
+    }
+    if (testsLeft_ % kTestsBetween == 0) {
+        goOn_();
     }
     const Triangle face{rim_[places[0]], rim_[places[1]], rim_[places[2]]};
     return !finder_.crossesKept(face) && (isFine_ || !roundedFinder_.crossesKept(face));

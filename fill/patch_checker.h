@@ -3,9 +3,9 @@
 
 #include "fill/crossing_finder.h"
 #include "fill/patch_refinement.h"
+#include "fill/rim_triangulation.h"
 
 #include <cstddef>
-#include <functional>
 #include <utility>
 #include <vector>
 
@@ -38,7 +38,7 @@ public:
 
     /// From now on patches are for this rim, around which edges are that long at least. `goOn` is
     /// called before a check and in its middle; where it throws, the checker is of no more use.
-    void begin(const std::vector<int>& rim, double leastSize, std::function<void()> goOn = {});
+    void begin(const std::vector<int>& rim, double leastSize, GoOn goOn = [] {});
 
     /// From now on a patch for the rim is part of the mesh.
     void keep(const Patch& patch);
@@ -70,7 +70,7 @@ private:
     CrossingFinder roundedFinder_;
     double largest_ = 0.0;  // coordinate
     std::vector<int> rim_;
-    std::function<void()> goOn_;
+    GoOn goOn_ = [] {};
     int testsLeft_ = 0;    // of triangles of the rim's points
     bool isFine_ = false;  // what is around the rim
 };

@@ -37,6 +37,7 @@ public:
         const std::vector<Vec3>& polygon,
         const EdgeSet& forbidden,
         const TriangleTest& isAllowed,
+        const GoOn& goOn,
         std::vector<int> places
     )
         : polygon_(polygon),
@@ -49,6 +50,7 @@ public:
             best_[at(i, i + 1)].cost = best_[at(i + 1, i)].cost = {.bend = 0.0, .area = 0.0};
         }
         for (int width = 2; width < count_; ++width) {
+            goOn();
             for (int i = 0; i + width < count_; ++i) {
                 choose(i, i + width);
                 best_[at(i + width, i)] = best_[at(i, i + width)];
@@ -155,6 +157,7 @@ private:
 std::vector<Triangle> triangulateRim(
     const std::vector<Vec3>& polygon,
     const EdgeSet& forbidden,
+    const GoOn& goOn,
     int most,
     const TriangleTest& isAllowed
 ) {
@@ -167,7 +170,7 @@ std::vector<Triangle> triangulateRim(
     for (int i = 0; i < coarseCount; ++i) {
         coarse.push_back(placeOf(i));
     }
-    const LeastBend first(polygon, forbidden, isAllowed, coarse);
+    const LeastBend first(polygon, forbidden, isAllowed, goOn, coarse);
     if (!first.isPossible()) {
         return {};
     }
@@ -192,7 +195,7 @@ std::vector<Triangle> triangulateRim(
                 }
             }
         }
-        const LeastBend part(polygon, forbidden, isAllowed, places);
+        const LeastBend part(polygon, forbidden, isAllowed, goOn, places);
         if (!part.isPossible()) {
             return {};
         }
@@ -227,7 +230,8 @@ std::vector<Triangle> retriangulated(
     const std::vector<Triangle>& faces,
     const EdgeSet& forbidden,
     const std::vector<int>& region,
-    const TriangleTest& isAllowed
+    const TriangleTest& isAllowed,
+    const GoOn& goOn
 ) {
     // Faces of the region that are joined have one number, that of the first.
     std::vector<int> groupOf(faces.size(), -1);
@@ -275,7 +279,7 @@ std::vector<Triangle> retriangulated(
             return Triangle{corners[places[0]], corners[places[1]], corners[places[2]]};
         };
         const std::vector<Triangle> part =
-            triangulateRim(outline, chords, kMostRimPoints, [&](const Triangle& places) {
+            triangulateRim(outline, chords, goOn, kMostRimPoints, [&](const Triangle& places) {
                 return isAllowed(inPolygon(places));
             });
         if (part.empty()) {

@@ -18,6 +18,8 @@ inline constexpr int kMostRimPoints = 160;
 
 /// Whether a triangulation may have a triangle, given by three places in the polygon.
 using TriangleTest = std::function<bool(const Triangle&)>;
+/// Called again and again during long work; may throw, which ends it.
+using GoOn = std::function<void()>;
 
 /// A triangulation of a closed polygon in space without new points, which bends least: its largest
 /// angle between neighbours is least, then its area (P. Liepa, Filling holes in meshes, 2003; each
@@ -25,10 +27,12 @@ using TriangleTest = std::function<bool(const Triangle&)>;
 /// polygon and pass its edges in its order. No triangle has an edge of `forbidden` as a chord, is
 /// flat, or fails the test where there is one. Polygons of more than `most` points are triangulated
 /// with so many of them first, then the rest. O(n^3) up to there; the test is asked O(n^2 log n)
-/// times. Empty where there is no such triangulation.
+/// times. `goOn` is called within milliseconds, where there is no test. Empty where there is no
+/// such triangulation.
 [[nodiscard]] std::vector<Triangle> triangulateRim(
     const std::vector<Vec3>& polygon,
     const EdgeSet& forbidden,
+    const GoOn& goOn,
     int most = kMostRimPoints,
     const TriangleTest& isAllowed = {}
 );
@@ -45,7 +49,8 @@ using TriangleTest = std::function<bool(const Triangle&)>;
     const std::vector<Triangle>& faces,
     const EdgeSet& forbidden,
     const std::vector<int>& region,
-    const TriangleTest& isAllowed
+    const TriangleTest& isAllowed,
+    const GoOn& goOn
 );
 
 }  // namespace bspline_curve

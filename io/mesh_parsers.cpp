@@ -37,7 +37,7 @@ void addPolygon(
         }
         if (fanFolds(polygon)) {
             // Empty where corners repeat or meet: the fan is as good then.
-            const std::vector<Triangle> triangles = triangulateRim(polygon, {});
+            const std::vector<Triangle> triangles = triangulateRim(polygon, {}, [] {});
             for (const auto& [a, b, c] : triangles) {
                 faces.push_back({corners[a], corners[b], corners[c]});
             }

@@ -55,7 +55,7 @@ def with_holes_filled(
     point = [] if seed is None else numbers(seed, "seed").ravel().tolist()
     if len(point) not in (0, 3):
         raise InputError(f"seed has {len(point)} numbers, but must be a point", "bad-array")
-    cut, notes = _core.imprint(core, [], SNAP.default, 0.0).fill_holes(meant, length, edges, point, progress)
+    cut, notes = _core.imprint(core, [], SNAP.default, 0.0, progress).fill_holes(meant, length, edges, point, progress)
     warn(notes, 3)
     return Cut(*cut)
 
@@ -175,7 +175,7 @@ class Imprint:
             Fill the holes that the other parts leave: with a triangulation that bends least, which has new vertices only
             where it would cross the mesh, or as dense as around, with its tangent planes. Needs `keep`.
         progress : callable, optional
-            Called with a fraction in [0, 1] and a stage while holes are filled; where it returns False, the work is cancelled.
+            Called with a fraction in [0, 1] and a stage; where it returns False, the work is cancelled.
         drop_untouched : bool, default False
             Components that no curve parts stay with `keep`, unless they are dropped here; a point keeps one then.
 

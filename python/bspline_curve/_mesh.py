@@ -22,7 +22,7 @@ from ._imprint import SNAP, STROKE, Cut, Fill, Imprint, Keep, with_holes_filled
 from ._inputs import mesh_arrays
 from ._keywords import CURVE, FIELD, SHELL, Avoid, Field, MeshKeywords
 from ._lines import Line, Placing, curves_on
-from ._options import Progress, Value, changed, checked_number
+from ._options import Progress, Value, changed, checked_number, part_of
 from ._pattern import Pattern, Planar, patterned
 from ._ways import Places, distances_to, way_between
 
@@ -403,6 +403,7 @@ class Mesh(MeshKeywords):
         max_distance: float = 0.0,
         stroke: float = 0.0,
         direction: npt.ArrayLike | None = None,
+        progress: Progress | None = None,
     ) -> Imprint:
         """Make curves edges of a copy of the mesh, which is mended where it had to be for curves.
 
@@ -423,6 +424,8 @@ class Mesh(MeshKeywords):
         direction : (3,) array of float, default None
             Drape polylines and splines: move each of their points along this direction to the first face that is met there,
             coming from outside; None: to the closest point. A MeshWarning tells where one is beside the mesh, and parted there.
+        progress : callable, optional
+            Called with a fraction in [0, 1] and a stage; where it returns False, the work is cancelled.
 
         Returns
         -------
@@ -435,6 +438,8 @@ class Mesh(MeshKeywords):
             once.
         OptionError
             `snap`, `max_distance` or `stroke` is not in its range.
+        Cancelled
+            `progress` returned False.
 
         Examples
         --------
@@ -442,14 +447,21 @@ class Mesh(MeshKeywords):
         >>> len(imprint.curves), imprint.parts[0].area > imprint.parts[1].area
         (2, True)
         """
-        return self._imprinted(curves, snap, Placing(max_distance, direction), stroke)
+        return self._imprinted(curves, snap, Placing(max_distance, direction), progress, stroke)
 
-    def _imprinted(self, curves: Line | Iterable[Line], snap: float, placing: Placing, stroke: float = 0.0) -> Imprint:
+    def _imprinted(
+        self,
+        curves: Line | Iterable[Line],
+        snap: float,
+        placing: Placing,
+        progress: Progress | None = None,
+        stroke: float = 0.0,
+    ) -> Imprint:
         placed = curves_on(self, curves, placing)
         warn(placed.notes, 3)
         given = [curve._core for curve in placed.curves]
         width = checked_number("stroke", STROKE, stroke)
-        return Imprint(_core.imprint(self._core, given, checked_number("snap", SNAP, snap), width))
+        return Imprint(_core.imprint(self._core, given, checked_number("snap", SNAP, snap), width, progress))
 
     def cut(
         self,
@@ -471,7 +483,8 @@ class Mesh(MeshKeywords):
         >>> cut.vertices.shape[1], cut.labels.min() == cut.labels.max()
         (3, np.True_)
         """
-        return self._imprinted(curves, snap, Placing(max_distance, direction))._cut(keep, fill, progress, drop_untouched)
+        imprint = self._imprinted(curves, snap, Placing(max_distance, direction), part_of(progress, 0.0, 0.3))
+        return imprint._cut(keep, fill, part_of(progress, 0.3, 1.0), drop_untouched)
 
     def fill_holes(
         self,
@@ -527,6 +540,7 @@ class Mesh(MeshKeywords):
         snap: float = 1e-9,
         max_distance: float = 0.0,
         direction: npt.ArrayLike | None = None,
+        progress: Progress | None = None,
     ) -> Imprint:
         """Label the parts that curves leave: an imprint whose `labels` and `parts` are more than those of the mesh.
 
@@ -534,7 +548,7 @@ class Mesh(MeshKeywords):
 
         Parameters
         ----------
-        curves, snap, max_distance, direction
+        curves, snap, max_distance, direction, progress
             As of imprint().
 
         Returns
@@ -553,7 +567,7 @@ class Mesh(MeshKeywords):
         >>> sorted(set(regions.labels.tolist()))
         [0, 1]
         """
-        imprint = self._imprinted(curves, snap, Placing(max_distance, direction))
+        imprint = self._imprinted(curves, snap, Placing(max_distance, direction), progress)
         warn(imprint._core.segment_notes, 2)
         return imprint
 

@@ -29,15 +29,21 @@ namespace {
 
 /// `stroke`: a width; 0: the curves themselves.
 Imprint imprinted(
-    const Mesh& mesh, const std::vector<const DesignedCurve*>& curves, double snap, double stroke
+    const Mesh& mesh,
+    const std::vector<const DesignedCurve*>& curves,
+    double snap,
+    double stroke,
+    nb::object progress
 ) {
-    const nb::gil_scoped_release unlocked;  // curves do not change
     std::vector<SurfacePolyline> lines;
     for (const DesignedCurve* drawn : curves) {
         lines.push_back(drawn->curve.polyline);
     }
-    return stroke > 0.0 ? strokesOn(*mesh.workpiece, lines, stroke, {.snap = snap})
-                        : imprintOn(*mesh.workpiece, lines, {.snap = snap});
+    return PythonProgress(std::move(progress)).run([&](const Progress& goesOn) {
+        const ImprintOptions options{.snap = snap};
+        return stroke > 0.0 ? strokesOn(*mesh.workpiece, lines, stroke, options, goesOn)
+                            : imprintOn(*mesh.workpiece, lines, options, goesOn);
+    });
 }
 
 nb::list curvesOf(const Imprint& imprint) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The parts that fills are made of: triangulations, crossings, retreats, values.
+#include "bspline_curve/progress.h"
 #include "fill/crossing_finder.h"
 #include "fill/harmonic_values.h"
 #include "fill/patch_fairing.h"
@@ -93,7 +94,7 @@ TEST(TriangulateRim, BendsLess) {
     for (int i = 8; i >= 0; --i) {
         bent.emplace_back(i, 3.0, i < 4 ? 0.0 : i - 4.0);
     }
-    const std::vector<Triangle> faces = triangulateRim(bent, {});
+    const std::vector<Triangle> faces = triangulateRim(bent, {}, [] {});
     EXPECT_NEAR(areaOf(bent, faces), 3.0 * (4.0 + 4.0 * std::numbers::sqrt2), 1e-12);
 }
 
@@ -102,22 +103,22 @@ TEST(TriangulateRim, AsksWhichTrianglesAreAllowed) {
     const auto isAllowed = [](const Triangle& face) {
         return std::ranges::find(face, 3) == face.end() || std::ranges::find(face, 4) != face.end();
     };
-    const std::vector<Triangle> faces = triangulateRim(star, {}, kMostRimPoints, isAllowed);
+    const std::vector<Triangle> faces = triangulateRim(star, {}, [] {}, kMostRimPoints, isAllowed);
     ASSERT_EQ(faces.size(), 10U);
     EXPECT_TRUE(std::ranges::all_of(faces, isAllowed));
-    EXPECT_TRUE(triangulateRim(star, {}, kMostRimPoints, [](const Triangle&) {
-                    return false;
-                }).empty());
+    EXPECT_TRUE(triangulateRim(
+                    star, {}, [] {}, kMostRimPoints, [](const Triangle&) { return false; }
+    ).empty());
 }
 
 TEST(Retriangulated, ChangesARegionAlone) {
     const std::vector<Vec3> star = spiralStar(40);
-    const std::vector<Triangle> before = triangulateRim(star, {});
+    const std::vector<Triangle> before = triangulateRim(star, {}, [] {});
     const std::vector<int> region = grown(before, {5}, 2);
     ASSERT_GT(region.size(), 2U);
     ASSERT_LT(region.size(), before.size());
     const std::vector<Triangle> after =
-        retriangulated(star, before, {}, region, [](const Triangle&) { return true; });
+        retriangulated(star, before, {}, region, [](const Triangle&) { return true; }, [] {});
     ASSERT_EQ(after.size(), before.size());
     EXPECT_NEAR(areaOf(star, after), areaOf(star, before), 1e-12);
     for (std::size_t f = 0; f < before.size(); ++f) {
@@ -125,9 +126,20 @@ TEST(Retriangulated, ChangesARegionAlone) {
             EXPECT_TRUE(std::ranges::find(after, before[f]) != after.end());
         }
     }
-    EXPECT_TRUE(retriangulated(star, before, {}, region, [](const Triangle&) {
-                    return false;
-                }).empty());
+    const auto isAllowed = [](const Triangle&) { return false; };
+    EXPECT_TRUE(retriangulated(star, before, {}, region, isAllowed, [] {}).empty());
+}
+
+TEST(TriangulateRim, CanBeEndedEarly) {
+    const std::vector<Vec3> star = spiralStar(400);
+    int calls = 0;
+    const GoOn goOn = [&] {
+        if (++calls == 100) {
+            throw Cancelled();
+        }
+    };
+    EXPECT_THROW(static_cast<void>(triangulateRim(star, {}, goOn)), Cancelled);
+    EXPECT_EQ(calls, 100);
 }
 
 TEST(CrossingFinder, FindsWhatTheSearchOverAllPairsFinds) {
