@@ -17,7 +17,7 @@ BESIDES = {
             "io/pattern_report.h", "io/report_writer.h", "io/shell_report.h", "io/shell_writer.h", "io/tetrahedral_grid.h",
             "tetrahedra/conforming_tetrahedra.h",
             # Shells from one run to the next; several files read on one tree, with its words for errors; the verb `shell`.
-            "io/shell_cache.h", "shell/shell_store.h", "io/curves_on_surface.h", "surface/triangle_tree.h",
+            "io/shell_cache.h", "shell/shell_store.h", "io/curves_on_surface.h",
             "workpiece/workpiece_parts.h"},
     # Layers of MeshLab: the cache of their workpieces, checksums of layers that are no mesh.
     "filter_bspline_curve": {"workpiece/layer_input.h", "workpiece/workpiece_cache.h", "surface/mesh_checksum.h"},
