@@ -69,6 +69,13 @@ struct CutParser {
             options.described.add(id, {.otherType = "X,Y,Z"})->excludes(thickness);
         }
         options.described.add("snap");
+        listIn(app, "Parts", {"--keep", "--split", "--fill", "--drop-untouched"});
+        listIn(
+            app,
+            "Strokes and reliefs",
+            {"--relief", "--stroke", "--slot", "--profile", "--profile-width"}
+        );
+        listIn(app, "Solids", {"--thickness", "--base", "--base-direction", "--base-height"});
         addReport(app, arguments.report, "Write counts, parts, moves and times");
     }
 

@@ -15,7 +15,6 @@ namespace bspline_curve::cli {
 namespace {
 
 constexpr const char* kFieldGroup = "Field";
-constexpr const char* kMendingGroup = "Mending of the mesh";
 constexpr const char* kFieldPrefix = "--field-";
 
 /// Parameters of the filter that have no meaning here: layers, selections, and files, which the
@@ -76,10 +75,8 @@ void DrawingOptions::add(const std::string& group) {
     for (const ParameterDescription& parameter : curveFilter().parameters) {
         const std::string& id = parameter.id;
         if (std::ranges::find(kOfHosts, id) == kOfHosts.end()) {
-            const bool isOfMending = std::ranges::find(kOfMending, id) != kOfMending.end();
             const bool isSorted = group.empty() || isOfPaper(parameter);
-            const std::string used = isSorted ? groupOf(parameter) : group;
-            options_.add(id, extrasOf(id), isOfMending ? kMendingGroup : used);
+            options_.add(id, extrasOf(id), isSorted ? groupOf(parameter) : group);
         }
     }
     region_ =

@@ -81,6 +81,7 @@ struct FitParser {
         )
             ->capture_default_str();
         addLayers(app, arguments.layers);
+        listIn(app, kLinesGroup, {"--line", "--selection", "--labels", "--layers"});
         addOutput(
             app,
             arguments.output,

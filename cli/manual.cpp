@@ -22,18 +22,36 @@ constexpr std::string_view kProgram = "bspline_curve";
 constexpr std::string_view kPaperWord = "paper";  // after --help
 constexpr std::string_view kExitStatus = "Exit status: ";
 
+/// The options of a verb that it lists, without MESH and the like.
+std::vector<const CLI::Option*> listedOptions(const CLI::App& app, const std::string& group = "") {
+    return app.get_options([&](const CLI::Option* option) {
+        return option->nonpositional() && !option->get_group().empty() &&
+               (group.empty() || option->get_group() == group);
+    });
+}
+
+/// In the order in which they are listed.
+std::vector<std::string> listedGroups(const CLI::App& app) {
+    std::vector<std::string> groups = app.get_groups();
+    std::ranges::stable_partition(groups, [](const std::string& group) {
+        return group != kDrawingGroup && group != kMendingGroup && group != kPaperGroup;
+    });
+    std::erase(groups, "");
+    return groups;
+}
+
 /// Lists the settings of the paper, or all the others, with an empty line between groups.
 class GroupedHelp : public CLI::Formatter {
 public:
     explicit GroupedHelp(bool isOfPaper) : isOfPaper_(isOfPaper) {}
 
     [[nodiscard]] std::string make_help(
-        const CLI::App* app, std::string name, CLI::AppFormatMode mode
+        const CLI::App* app, std::string name, CLI::AppFormatMode /*mode*/
     ) const override {
-        std::string text = Formatter::make_help(app, std::move(name), mode);
-        const std::string gap = "\n\n\n";
-        for (std::size_t at = text.find(gap); at != std::string::npos; at = text.find(gap, at)) {
-            text.erase(at, 1);
+        std::string text =
+            make_description(app) + make_usage(app, std::move(name)) + make_positionals(app);
+        for (const std::string& group : listedGroups(*app)) {
+            text += make_group(group, false, listedOptions(*app, group));
         }
         return text;
     }
@@ -50,14 +68,6 @@ public:
 private:
     bool isOfPaper_;
 };
-
-/// The options of a verb that it lists, without MESH and the like.
-std::vector<const CLI::Option*> listedOptions(const CLI::App& app, const std::string& group = "") {
-    return app.get_options([&](const CLI::Option* option) {
-        return option->nonpositional() && !option->get_group().empty() &&
-               (group.empty() || option->get_group() == group);
-    });
-}
 
 std::vector<std::string> flagsOf(const CLI::Option& option) {
     std::vector<std::string> flags;
@@ -171,10 +181,10 @@ std::string manualOf(const CLI::App& app, std::string_view summary) {
     const std::string description = app.get_description();
     const std::size_t split = description.find(kExitStatus);
     page += section("Description", roff(description.substr(0, split)) + "\n" + positionals);
-    for (const std::string& group : app.get_groups()) {
+    for (const std::string& group : listedGroups(app)) {
         std::string entries;
         for (const CLI::Option* const option : listedOptions(app, group)) {
-            entries += group.empty() ? "" : entryOf(*option);
+            entries += entryOf(*option);
         }
         page += entries.empty() ? "" : section(group, entries);
     }
@@ -358,7 +368,7 @@ bool printsText(CLI::App& app, Arguments words) {
         app.formatter(std::make_shared<GroupedHelp>(true));
         app.description(
             "Settings that the default does not need, for comparison with the method of the paper "
-            "(2023);\n--preset paper chooses those of the paper."
+            "(2023);\n--preset paper chooses those of the paper.\n"
         );
         std::cout << app.help();
     } else if (asked == kManual) {

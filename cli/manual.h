@@ -18,6 +18,12 @@ namespace bspline_curve::cli {
 
 /// The group of options that `--help` leaves out and `--help paper` lists.
 inline constexpr std::string_view kPaperGroup = "Settings of the paper";
+/// Groups that most verbs have.
+inline constexpr const char* kLinesGroup = "Lines";
+inline constexpr const char* kOutputGroup = "Output";
+inline constexpr const char* kMendingGroup = "Mending of the mesh";
+/// Long, and so the last one.
+inline constexpr const char* kDrawingGroup = "Options of curves, for --picks";
 
 /// A verb and what it does, in a few words.
 using VerbSummary = std::pair<std::string_view, std::string_view>;

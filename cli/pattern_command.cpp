@@ -53,6 +53,19 @@ struct PatternParser {
              {"corner_angle", "smoothing", "tolerance", "strict", "weld", "slits"}) {
             options.add(id);
         }
+        listIn(app, "Drawing", {"--drawing", "--layers", "--text", "--font"});
+        listIn(app, "Place and size", {"--centre", "--up", "--size", "--scale"});
+        listIn(
+            app,
+            "Along a curve",
+            {"--along",
+             "--repeat",
+             "--spacing",
+             "--start",
+             "--shift",
+             "--max-distance",
+             "--direction"}
+        );
     }
 
     PatternArguments finish() {

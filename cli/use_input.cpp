@@ -115,8 +115,9 @@ UseOptions::UseOptions(CLI::App& app, UseArguments& arguments, const FilterDescr
     );
     described.add("direction", {.otherType = "X,Y,Z", .help = kDirectionHelp});
     addLayers(app, arguments.layers);
+    listIn(app, kLinesGroup, {"--curve", "--picks", "--max-distance", "--direction", "--layers"});
     addCacheOption(app, arguments.drawing.noCache);
-    drawing_.add("Options of curves, for --picks");
+    drawing_.add(kDrawingGroup);
 }
 
 void UseOptions::finish() {

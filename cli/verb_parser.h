@@ -9,6 +9,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <initializer_list>
 #include <string>
 #include <utility>
 #include <variant>
@@ -17,6 +18,15 @@
 // Command lines of verbs. A parser has the members `app`, a CLI::App that its constructor fills,
 // and `finish()`, which returns what was said, after parsing; it may throw as that.
 namespace bspline_curve::cli {
+
+/// Lists those of the options that a verb has in a group of its help.
+inline void listIn(CLI::App& app, const char* group, std::initializer_list<const char*> flags) {
+    for (const char* const flag : flags) {
+        if (CLI::Option* const option = app.get_option_no_throw(flag)) {
+            option->group(group);
+        }
+    }
+}
 
 /// Throws CLI::ParseError, InputError (BadOption).
 template <class Parser>
@@ -39,6 +49,8 @@ template <class Parser, class Parsed>
     parser.app.add_flag(
         "--quiet", isQuiet, "Print no line of result and no progress; notes and errors stay"
     );
+    listIn(parser.app, kOutputGroup, {"--output", "--report", "--unit", "--quiet"});
+    listIn(parser.app, kMendingGroup, {"--strict", "--weld", "--slits"});
     groupHelp(parser.app);
     if (printsText(parser.app, words)) {
         return ExitCode::Success;

@@ -332,6 +332,20 @@ def test_help_names_every_option_with_range_and_default(run):
         assert text in process.stdout
 
 
+def test_the_help_of_each_verb_is_in_groups(run):
+    for verb in ("batch", "curve", "cut", "edit", "field", "fill", "fit", "imprint", "offset", "pattern", "points", "segment", "shell"):
+        groups = {}
+        for line in run(verb, "--help").stdout.splitlines():
+            if re.fullmatch(r"\w[\w ,-]*:", line):
+                groups[line[:-1]] = []
+            elif option := re.match(r"  (?:-h,)?--([a-z-]+)", line):
+                list(groups.values())[-1].append(option[1])
+        own = {name: flags for name, flags in groups.items() if name != "Options of curves, for --picks"}
+        assert "quiet" in own["Output"] and "help" in own["Options"], (verb, groups)
+        assert max(map(len, own.values())) <= 14, (verb, own)
+    assert "report" in groups["Output"] and list(groups)[:2] == ["Positionals", "Options"]
+
+
 def test_the_settings_of_the_paper_have_a_help_of_their_own(run):
     paper = {"quadrature", "barrier-width", "knot-rule", "alpha-min", "feature-tolerance", "gauss-points"}
     shown = {words: set(re.findall(r"^  --([a-z-]+)", run(*words).stdout, re.M)) for words in (
