@@ -51,7 +51,7 @@ struct CutParser {
                          "parts to one, the largest first: FILE.ply, FILE-2.ply, …"}
             )
             ->excludes(keep);
-        auto* const fill = options.described.add("fill")->needs(keep);
+        auto* const fill = options.described.add("fill");
         options.described.add("drop_untouched")->needs(keep);
         auto* const relief = options.described.add("relief")->excludes(fill);
         auto* const stroke = options.described.add("stroke");
@@ -121,7 +121,7 @@ struct CutParser {
         if (options.described.isGiven("relief") && !options.described.isGiven("stroke")) {
             throw CLI::ValidationError("--relief", "requires --keep or --stroke");
         }
-        for (const char* id : {"thickness", "base", "base_direction"}) {
+        for (const char* id : {"fill", "thickness", "base", "base_direction"}) {
             if (options.described.isGiven(id) && !options.described.isGiven("split")) {
                 throw CLI::ValidationError(flagOf(id), "requires --keep or --split");
             }

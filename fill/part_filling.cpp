@@ -167,7 +167,29 @@ void findRims(
 
 }  // namespace
 
+void refuseNothingToFill() {
+    throw InputError(
+        InputErrorCode::NoPath,
+        "there is no hole to fill: the boundary of the mesh is part of each rim that is cut; cut "
+        "along closed curves, or fill nothing"
+    );
+}
+
 FilledParts fillAround(
+    const ImprintedMesh& imprinted,
+    const MeshParts& parts,
+    const std::vector<int>& chosen,
+    FillShape shape,
+    const Progress& progress
+) {
+    FilledParts filled = filledWherePossible(imprinted, parts, chosen, shape, progress);
+    if (filled.rims.empty()) {
+        refuseNothingToFill();
+    }
+    return filled;
+}
+
+FilledParts filledWherePossible(
     const ImprintedMesh& imprinted,
     const MeshParts& parts,
     const std::vector<int>& chosen,
@@ -187,11 +209,9 @@ FilledParts fillAround(
     findRims(edges, cut, kept, result);
     goOn(0.75 * kOpenedShare);
     if (result.rims.empty()) {
-        throw InputError(
-            InputErrorCode::NoPath,
-            "there is no hole to fill: the boundary of the mesh is part of each rim that is cut; "
-            "cut along closed curves, or fill nothing"
-        );
+        FilledParts open = openParts(cut, parts, chosen);
+        open.openRims = result.openRims;
+        return open;
     }
     const FillSurroundings surroundings{
         .sizes = sizesAt(imprinted, kept), .removed = [&](std::size_t rim, std::size_t most) {

@@ -23,6 +23,18 @@ namespace bspline_curve {
     const Progress& progress = {}
 );
 
+/// The same where holes may all stay open, since the boundary of the mesh is part of their rims.
+[[nodiscard]] FilledParts filledWherePossible(
+    const ImprintedMesh& imprinted,
+    const MeshParts& parts,
+    const std::vector<int>& chosen,
+    FillShape shape,
+    const Progress& progress = {}
+);
+
+/// Throws InputError (NoPath): there is no hole to fill.
+[[noreturn]] void refuseNothingToFill();
+
 /// The whole imprinted mesh, as it is.
 [[nodiscard]] FilledParts wholeImprint(const ImprintedMesh& imprinted, const MeshParts& parts);
 

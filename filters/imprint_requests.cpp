@@ -176,9 +176,10 @@ CutRequest cutRequest(const ParameterValues& values) {
     if (choice.stroke != 0.0 && choice.relief != 0.0 && choice.keep == KeptParts::All) {
         choice.keep = KeptParts::Inside;  // a slot, or a ridge
     }
-    if (choice.keep == KeptParts::All && choice.fill != FillKind::None) {
+    if (choice.keep == KeptParts::All && !choice.split && choice.fill != FillKind::None) {
         refuseChoice(
-            "the option fill needs the option keep: with all parts there is no hole to fill"
+            "the option fill needs the option keep or split: with all parts in one mesh there is "
+            "no hole to fill"
         );
     }
     if (!std::isfinite(choice.relief)) {

@@ -4,7 +4,7 @@
 #include "bspline_curve/parts.h"
 #include "bspline_curve/progress.h"
 #include "fill/based_parts.h"
-#include "fill/capped_handles.h"
+#include "fill/capped_parts.h"
 #include "fill/mesh_holes.h"
 #include "fill/part_filling.h"
 #include "fill/raised_parts.h"
@@ -41,6 +41,8 @@ namespace {
 constexpr double kImprintedShare = 0.6;
 constexpr double kExtendedShare = 0.1;
 constexpr double kProfiledShare = 0.7;
+/// Of closing all parts, until both sides of cuts have the same patches.
+constexpr double kCappedShare = 0.7;
 constexpr double kLinesShare = 0.8;     // of an offset, without its band
 constexpr std::size_t kMostNamed = 10;  // faces, in a note
 
@@ -118,6 +120,19 @@ FilledParts reliefOf(
     return std::move(raised.whole);
 }
 
+void tellOfFill(const FilledParts& filled, std::vector<std::string>& notes) {
+    if (filled.openRims > 0) {
+        notes.push_back(
+            describeCount(static_cast<std::size_t>(filled.openRims), "rim stays", "rims stay") +
+            " open, since the boundary of the mesh is part of " +
+            (filled.openRims == 1 ? "it" : "them")
+        );
+    }
+    if (!filled.crossing.empty()) {
+        notes.push_back(crossingNote(filled.crossing) + "; move the curve");
+    }
+}
+
 /// The parts that one mesh gets; adds what to say of them.
 FilledParts partsMeant(
     const Imprint& imprint,
@@ -142,15 +157,7 @@ FilledParts partsMeant(
     if (choice.relief == 0.0) {
         FilledParts taken =
             takenParts(*imprint.joined, cut, imprint.parts, chosen, choice.fill, progress);
-        if (taken.openRims > 0) {
-            notes.push_back(
-                std::to_string(taken.openRims) +
-                " rims stay open, since the boundary of the mesh is part of them"
-            );
-        }
-        if (!taken.crossing.empty()) {
-            notes.push_back(crossingNote(taken.crossing) + "; move the curve");
-        }
+        tellOfFill(taken, notes);
         return taken;
     }
     return reliefOf(imprint, chosen, choice.relief, {}, notes, progress);
@@ -242,20 +249,60 @@ std::optional<CutMeshes> cutThroughHandles(
     const bool isMeant = choice.fill && choice.relief == 0.0 && choice.keep &&
                          choice.keep->which == PartChoice::Which::Largest &&
                          partedParts(*imprint.joined, imprint.parts).empty();
-    std::optional<FilledParts> capped =
-        isMeant ? cappedHandles(*imprint.joined, imprint.parts, progress) : std::nullopt;
+    std::optional<CappedParts> capped =
+        isMeant ? cappedOnBothSides(*imprint.joined, imprint.parts, progress) : std::nullopt;
     if (!capped) {
         return std::nullopt;
     }
+    FilledParts& whole = capped->whole;
     CutMeshes result;
-    result.filledHoles = static_cast<int>(capped->rims.size());
+    result.filledHoles = static_cast<int>(whole.rims.size());
     result.doubledVertices =
-        static_cast<int>(capped->firstNew.front() - std::ssize(imprint.joined->mesh.vertices));
-    if (!capped->crossing.empty()) {
-        result.notes.push_back(crossingNote(capped->crossing) + "; move the curve");
-    }
-    result.pieces.push_back(wholePiece(imprint, *std::move(capped)));
+        static_cast<int>(whole.firstNew.front() - std::ssize(imprint.joined->mesh.vertices));
+    tellOfFill(whole, result.notes);
+    result.pieces.push_back(wholePiece(imprint, std::move(whole)));
     return result;
+}
+
+/// Parts that become solids, each by itself: flat patches are the same on both sides of a cut where
+/// the rims there have the same edges, unless they cross something on one side.
+std::vector<FilledParts> closedParts(
+    const Imprint& imprint,
+    const std::vector<std::vector<int>>& perMesh,
+    FillShape shape,
+    std::vector<std::string>& notes,
+    const Progress& progress
+) {
+    const ImprintedMesh& joined = *imprint.joined;
+    const std::optional<CappedParts> capped =
+        shape == FillShape::Flat
+            ? cappedOnBothSides(joined, imprint.parts, partOf(progress, 0.0, kCappedShare))
+            : std::nullopt;
+    const Progress further = partOf(progress, kCappedShare, 1.0);
+    std::vector<FilledParts> closed;
+    bool isAnyFilled = false;
+    for (std::size_t i = 0; i < perMesh.size(); ++i) {
+        const std::vector<int>& chosen = perMesh[i];
+        const bool isCapped =
+            capped &&
+            std::ranges::includes(capped->edges, edgesAround(joined, imprint.parts, chosen));
+        FilledParts part = isCapped ? cappedParts(*capped, chosen) : FilledParts{};
+        if (!isCapped || !part.crossing.empty()) {
+            FilledParts own = filledWherePossible(
+                joined, imprint.parts, chosen, shape, stepOf(further, i, perMesh.size())
+            );
+            if (!isCapped || own.crossing.size() < part.crossing.size()) {
+                part = std::move(own);
+            }
+        }
+        closed.push_back(std::move(part));
+        tellOfFill(closed.back(), notes);
+        isAnyFilled = isAnyFilled || !closed.back().rims.empty();
+    }
+    if (!isAnyFilled) {
+        refuseNothingToFill();
+    }
+    return closed;
 }
 
 /// The whole mesh with a relief that has a profile.
@@ -284,6 +331,13 @@ CutMeshes profiledRelief(
 }  // namespace
 
 CutMeshes cutOn(const Imprint& imprint, const CutChoice& choice, const Progress& progress) {
+    if (choice.fill && !choice.keep && !choice.split) {
+        throw InputError(
+            InputErrorCode::BadOption,
+            "holes are to be filled, but all parts are kept in one mesh, which leaves none: choose "
+            "parts to keep, or split the mesh"
+        );
+    }
     if (choice.relief != 0.0 && choice.keep && choice.profile != ReliefProfile::Step) {
         return profiledRelief(imprint, *choice.keep, choice, progress);
     }
@@ -312,11 +366,18 @@ CutMeshes cutOn(const Imprint& imprint, const CutChoice& choice, const Progress&
         }
     }
     goOn();
+    std::vector<FilledParts> made;
+    if (choice.fill && !choice.keep) {
+        made = closedParts(imprint, perMesh, *choice.fill, result.notes, progress);
+    } else {
+        for (std::size_t i = 0; i < perMesh.size(); ++i) {
+            const Progress step = stepOf(progress, i, perMesh.size());
+            made.push_back(partsMeant(imprint, cut, choice, perMesh[i], result.notes, step));
+        }
+    }
     for (std::size_t i = 0; i < perMesh.size(); ++i) {
-        const Progress step = stepOf(progress, i, perMesh.size());
-        FilledParts taken = partsMeant(imprint, cut, choice, perMesh[i], result.notes, step);
-        result.filledHoles += static_cast<int>(taken.rims.size());
-        result.pieces.push_back(pieceOf(imprint, perMesh[i], std::move(taken)));
+        result.filledHoles += static_cast<int>(made[i].rims.size());
+        result.pieces.push_back(pieceOf(imprint, perMesh[i], std::move(made[i])));
     }
     for (std::string& note : slitNotes(imprint, !choice.keep)) {
         result.notes.push_back(std::move(note));

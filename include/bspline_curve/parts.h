@@ -123,7 +123,10 @@ enum class ReliefProfile : std::uint8_t {
 struct CutChoice {
     std::optional<PartChoice> keep{};  ///< none: all parts
     bool split = false;                ///< where all are kept: a mesh for each part
-    std::optional<FillShape> fill{};   ///< of holes that the other parts leave; none: open
+    /// Of holes that the other parts leave; none: they stay open. With `split` those of each part;
+    /// flat patches are then the same triangles on both sides of a cut, unless curves cross there,
+    /// or patches can be sound on one side alone.
+    std::optional<FillShape> fill{};
     double relief = 0.0;  ///< height that the parts to keep are moved by; 0: they are cut out
     ReliefProfile profile = ReliefProfile::Step;
     /// Of the profile, along the surface; 0: the relief's height, of strokes half their width.
@@ -146,7 +149,8 @@ struct CutMeshes {
     std::vector<std::string> notes;
 };
 
-/// The mesh opened along the curves. Throws InputError (NoPath) where they open nothing.
+/// The mesh opened along the curves. Throws InputError (NoPath) where they open nothing;
+/// (BadOption) where holes are to be filled though all parts are kept in one mesh.
 [[nodiscard]] CutMeshes cutOn(
     const Imprint& imprint, const CutChoice& choice, const Progress& progress = {}
 );

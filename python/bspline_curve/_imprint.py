@@ -211,6 +211,44 @@ class Imprint:
         warn(notes, 3)
         return Cut(*cut)
 
+    def split(self, fill: Fill = "none", progress: Progress | None = None) -> list[Cut]:
+        """Take the mesh apart along the curves: each part at a curve by itself. O(m log m).
+
+        A MeshWarning says which curves part nothing, how many rims cannot be filled, and which new faces cross others.
+
+        Parameters
+        ----------
+        fill : {"none", "flat", "smooth"}, default "none"
+            Close each part, so that it is a solid where the mesh is one. Flat patches are the same triangles on both sides of a
+            cut, unless curves cross there, or patches can be sound on one side alone; smooth ones go on in the tangent planes of
+            each side.
+        progress : callable, optional
+            Called with a fraction in [0, 1] and a stage; where it returns False, the work is cancelled.
+
+        Returns
+        -------
+        list of Cut
+            The largest part first; all that no curve parts is one of them.
+
+        Raises
+        ------
+        InputError
+            The curves open nothing, or no rim can be filled.
+        OptionError
+            `fill` is none of these.
+        Cancelled
+            `progress` returned False.
+
+        Examples
+        --------
+        >>> [len(part.faces) for part in mesh.imprint(ring).split()] == [part.faces.size for part in mesh.imprint(ring).parts]
+        True
+        """
+        shape = str(checked_value("fill", FILL, fill))
+        parts, notes = self._core.split(shape, progress)
+        warn(notes, 2)
+        return [Cut(*part) for part in parts]
+
     def relief(
         self, height: float, part: Keep = "inside", profile: Profile = "step", profile_width: float | None = None
     ) -> Cut:

@@ -116,17 +116,28 @@ std::vector<int> sourcesIn(const Imprint& imprint, const MadeMesh& made) {
     return sources;
 }
 
-/// Vertices, faces, sources and labels of a mesh that is in one piece; and notes.
-nb::tuple arraysAndNotes(const Imprint& imprint, const CutMeshes& cut) {
-    const MadeMesh& mesh = cut.pieces.front().mesh;
+/// Vertices, faces, sources and labels.
+nb::tuple arraysOf(const Imprint& imprint, const MadeMesh& mesh) {
     const FilledParts& made = mesh.parts();
-    const nb::tuple arrays = nb::make_tuple(
+    return nb::make_tuple(
         arrayOf(made.mesh.vertices),
         arrayOf(made.mesh.faces),
         arrayOf(sourcesIn(imprint, mesh)),
         arrayOf(made.labels)
     );
-    return nb::make_tuple(arrays, cut.notes);
+}
+
+/// Of a mesh that is in one piece; and notes.
+nb::tuple arraysAndNotes(const Imprint& imprint, const CutMeshes& cut) {
+    return nb::make_tuple(arraysOf(imprint, cut.pieces.front().mesh), cut.notes);
+}
+
+/// "flat" or "smooth"; else none.
+std::optional<FillShape> fillOf(const std::string& word) {
+    if (word == "none") {
+        return std::nullopt;
+    }
+    return word == "flat" ? FillShape::Flat : FillShape::Smooth;
 }
 
 /// A word; coordinates of seeds; whether parts that no curve touches are dropped.
@@ -162,13 +173,23 @@ nb::tuple cutTuple(
             choice.base->direction = Vec3(direction.at(0), direction.at(1), direction.at(2));
         }
     }
-    if (fill != "none") {
-        choice.fill = fill == "flat" ? FillShape::Flat : FillShape::Smooth;
-    }
+    choice.fill = fillOf(fill);
     const CutMeshes cut = PythonProgress(std::move(progress)).run([&](const Progress& goesOn) {
         return cutOn(imprint, choice, goesOn);
     });
     return arraysAndNotes(imprint, cut);
+}
+
+/// Each part at curves as arrays; and notes.
+nb::tuple splitTuple(const Imprint& imprint, const std::string& fill, nb::object progress) {
+    const CutMeshes cut = PythonProgress(std::move(progress)).run([&](const Progress& goesOn) {
+        return cutOn(imprint, {.split = true, .fill = fillOf(fill)}, goesOn);
+    });
+    nb::list pieces;
+    for (const CutMeshes::Piece& piece : cut.pieces) {
+        pieces.append(arraysOf(imprint, piece.mesh));
+    }
+    return nb::make_tuple(pieces, cut.notes);
 }
 
 /// The mesh with holes closed, and notes. `shape`: "flat" or "smooth"; `seed`: none, or a point.
@@ -307,6 +328,7 @@ void bindUses(nb::module_& module) {
             nb::arg("base") = nb::none(),
             nb::arg("progress") = nb::none()
         )
+        .def("split", splitTuple, nb::arg("fill"), nb::arg("progress").none())
         .def(
             "fill_holes",
             filledTuple,
@@ -316,10 +338,10 @@ void bindUses(nb::module_& module) {
             nb::arg("seed"),
             nb::arg("progress").none()
         );
-    module.def("imprint", imprinted);
     const auto define = [&](const char* name, auto* function) {
         module.def(name, function, nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg().none());
     };
+    define("imprint", imprinted);
     define("offset", curvesBeside);
     define("faces_within", facesNear);
 }

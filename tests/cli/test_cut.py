@@ -67,6 +67,39 @@ def test_split_writes_every_part_and_keep_one(run, tmp_path, ring):
         assert np.allclose(quality, one.vertices @ [1.0, 2.0, 0.0], atol=1e-9)
 
 
+@pytest.mark.parametrize("fill", ["flat", "smooth"])
+def test_parts_of_a_solid_become_solids(run, tmp_path, fill):
+    """A ball in three slices by two rings, and a box that no curve touches."""
+    ball, box = trimesh.creation.icosphere(4), trimesh.creation.box(bounds=[[2, 2, 2], [3, 3, 3]])
+    both = trimesh.util.concatenate([ball, box])
+    meshes.write_ply(tmp_path / "ball.ply", both.vertices, both.faces)
+    rings = []
+    for height in (-0.31, 0.42):
+        angles = np.linspace(0, 2 * np.pi, 80)
+        radius = np.sqrt(1 - height**2)
+        points = np.stack([radius * np.cos(angles), radius * np.sin(angles), np.full(80, height)], axis=1)
+        name = f"ring{len(rings)}.obj"
+        lines = "".join(f"v {x} {y} {z}\n" for x, y, z in points[:-1]) + "l " + " ".join(map(str, [*range(1, 80), 1]))
+        (tmp_path / name).write_text(lines)
+        rings += ["--curve", name]
+    run.ok("cut", "ball.ply", *rings, "--split", "--fill", fill, "--output", "part.ply")
+    parts = [load(tmp_path / f"part{number}.ply") for number in ("", "-2", "-3", "-4")]
+    assert all(part.is_watertight and part.is_winding_consistent for part in parts)
+    box_part = next(part for part in parts if np.allclose(part.bounds[0], 2))
+    assert box_part.volume == pytest.approx(1, rel=1e-12)
+    slices = sorted((part for part in parts if part is not box_part), key=lambda part: part.triangles_center[:, 2].mean())
+    if fill == "smooth":
+        return
+    assert sum(part.volume for part in slices) == pytest.approx(ball.volume, rel=1e-9)
+    for below, above in zip(slices[:-1], slices[1:]):
+        caps = []
+        for part, normal in ((below, 1), (above, -1)):
+            new = labels(part) == -1
+            own = new & (normal * part.face_normals[:, 2] > 0)
+            caps.append({frozenset(map(tuple, triangle)) for triangle in part.triangles[own]})
+        assert caps[0] == caps[1] and len(caps[0]) > 20
+
+
 def test_several_seeds_and_what_no_curve_touches(run, tmp_path, ring):
     vertices, faces = ring
     apart = vertices + [0.0, 0.0, 5.0]
@@ -259,7 +292,7 @@ def test_refuses_by_name_and_writes_nothing(refused, tmp_path, ring):
     refused(2, *cut, "--keep", "inside", "--relief", "nan", says=["--relief"])
     refused(2, *cut, "--keep", "inside", "--fill", "flat", "--relief", "1", says=["--relief", "--fill"])
     refused(2, *cut, "--keep", "largest", "--split", says=["--split"])
-    refused(2, *cut, "--fill", "flat", says=["--keep"])
+    refused(2, *cut, "--fill", "flat", says=["--fill", "--keep or --split"])
     refused(2, *cut, "--thickness", "1", says=["--thickness", "--keep"])
     refused(2, *cut, "--base", "1", says=["--base", "--split"])
     refused(2, *cut, "--keep", "inside", "--base", "1", "--thickness", "1", says=["--base", "--thickness"])

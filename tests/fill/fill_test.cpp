@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "design/curve_designer.h"
-#include "fill/capped_handles.h"
+#include "fill/capped_parts.h"
 #include "fill/fill_holes.h"
 #include "fill/mesh_holes.h"
 #include "fill/part_filling.h"
 #include "imprint/random_curves.h"
 #include "support/many_cases.h"
 #include "support/meshes.h"
+#include "support/orientation.h"
 #include "support/refusal.h"
 #include "support/seeds.h"
 #include "surface/self_intersection.h"
@@ -448,7 +449,7 @@ std::vector<int> meridian(const TriangleMesh& mesh, double angle) {
     return vertices;
 }
 
-TEST(CappedHandles, GetTheSameTrianglesOnEitherSide) {
+TEST(CappedParts, GetTheSameTrianglesOnEitherSide) {
     const Surface surface(torus(24, 12));
     const std::vector<int> ring = meridian(surface.mesh(), 0.0);
     ASSERT_EQ(ring.size(), 12U);
@@ -459,8 +460,10 @@ TEST(CappedHandles, GetTheSameTrianglesOnEitherSide) {
     };
     const ImprintedMesh imprinted = imprint(surface, lines, {});
     const MeshParts parts = partsOf(imprinted);
-    const std::optional<FilledParts> capped = cappedHandles(imprinted, parts);
-    ASSERT_TRUE(capped);
+    const std::optional<CappedParts> both = cappedOnBothSides(imprinted, parts);
+    ASSERT_TRUE(both);
+    EXPECT_EQ(both->partOf, (std::vector{0, 0}));
+    const FilledParts* const capped = &both->whole;
     EXPECT_TRUE(capped->crossing.empty());
     ASSERT_EQ(capped->rims.size(), 2U);
     const Surface whole(capped->mesh);
@@ -478,7 +481,51 @@ TEST(CappedHandles, GetTheSameTrianglesOnEitherSide) {
         EXPECT_EQ(capped->mesh.vertices[c], capped->mesh.vertices[q]);
     }
     const ImprintedMesh slitAlone = imprint(surface, {&lines[1], 1}, {});
-    EXPECT_FALSE(cappedHandles(slitAlone, partsOf(slitAlone)));
+    EXPECT_FALSE(cappedOnBothSides(slitAlone, partsOf(slitAlone)));
+}
+
+TEST(CappedParts, AreSolidsThatFitTogether) {
+    // A bent tube in three pieces, the middle one with two rims.
+    const Surface surface(torus(24, 12));
+    const std::vector lines{
+        polylineAlong(surface, meridian(surface.mesh(), 0.0), true),
+        polylineAlong(surface, meridian(surface.mesh(), std::numbers::pi / 2.0), true),
+        polylineAlong(surface, meridian(surface.mesh(), std::numbers::pi), true)
+    };
+    const ImprintedMesh imprinted = imprint(surface, lines, {});
+    const MeshParts parts = partsOf(imprinted);
+    ASSERT_EQ(parts.parts.size(), 3U);
+    const std::optional<CappedParts> capped = cappedOnBothSides(imprinted, parts);
+    ASSERT_TRUE(capped);
+    EXPECT_EQ(capped->edges, curveEdges(imprinted));
+    std::vector<int> owners = capped->partOf;
+    std::ranges::sort(owners);
+    EXPECT_EQ(owners, (std::vector{0, 0, 1, 1, 2, 2}));
+    const std::vector<double> heights = [&] {
+        std::vector<double> values;
+        for (const Vec3& vertex : imprinted.mesh.vertices) {
+            values.push_back(vertex.z());
+        }
+        return values;
+    }();
+    double volume = 0.0;
+    for (int label = 0; label < 3; ++label) {
+        const FilledParts part = cappedParts(*capped, {label});
+        EXPECT_TRUE(part.crossing.empty());
+        EXPECT_TRUE(isWatertight(Surface(part.mesh)));
+        ASSERT_EQ(part.rims.size(), 2U);
+        for (const int vertex : part.rims[1]) {
+            EXPECT_EQ(part.mesh.vertices[vertex], imprinted.mesh.vertices[part.source[vertex]]);
+        }
+        EXPECT_EQ(std::ranges::count(part.labels, -1), 20);
+        EXPECT_EQ(std::ranges::count(part.labels, label), parts.parts[label].faces);
+        const std::vector<double> carried = part.carried(heights);
+        for (std::size_t v = 0; v < carried.size(); ++v) {
+            EXPECT_NEAR(carried[v], part.mesh.vertices[v].z(), 1e-12);
+        }
+        volume += volumeOf(part.mesh);
+    }
+    EXPECT_NEAR(volume, volumeOf(surface.mesh()), 1e-12);
 }
 
 TEST(Fill, RefusesWhereTheBoundaryIsPartOfTheRim) {

@@ -311,7 +311,7 @@ TEST(CutFilter, RefusesWhatCannotBeByName) {
     expectPart(refused(onPlate({square()})), "there is no point");
     ParameterValues values(cutFilter());
     values.set("fill", std::string("flat"));
-    expectPart(refusal([&] { return cutRequest(values); }), "fill needs the option keep");
+    expectPart(refusal([&] { return cutRequest(values); }), "fill needs the option keep or split");
     values.set("keep", std::string("inside"));
     values.set("relief", 0.5);
     expectPart(refusal([&] { return cutRequest(values); }), "no hole to fill");

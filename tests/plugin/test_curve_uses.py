@@ -100,6 +100,14 @@ def test_parts_add_up_and_are_layers_of_their_own(ringed):
     assert document.current_mesh().label() == "plate part 0"
 
 
+def test_each_part_is_closed(ringed):
+    document, _ = ringed
+    figures = document.apply_filter("cut_along_curves", split=True, fill="smooth")
+    assert figures["filled_holes"] == 2 and labels(document)[2:] == ["plate part 0", "plate part 1"]
+    outer, inner = (document.mesh(i) for i in (2, 3))
+    assert areas(inner).sum() > figures["part_areas"][1] and areas(outer).sum() > figures["part_areas"][0]
+
+
 @pytest.mark.parametrize("keep, part", [("largest", 0), ("smallest", 1), ("inside", 1), ("seed", 1)])
 def test_a_part_is_kept(ringed, keep, part):
     document, _ = ringed

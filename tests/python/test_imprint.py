@@ -6,6 +6,7 @@ import warnings
 import made_meshes as meshes
 import numpy as np
 import pytest
+import trimesh
 
 import bspline_curve
 from bspline_curve import Cut, FileError, InputError, Mesh, MeshWarning, OptionError
@@ -296,6 +297,23 @@ def test_offsets_keep_their_distance(wavy):
         line.offset(0.1, side="up")
 
 
+def test_the_mesh_is_taken_apart(mesh, arrays):
+    ring = mesh.curve(arrays[0][[500, 530, 1250, 1200]], closed=True)
+    imprint = mesh.imprint([ring])
+    parts = imprint.split()
+    assert [len(part.faces) for part in parts] == [len(part.faces) for part in imprint.parts]
+    with pytest.raises(bspline_curve.OptionError, match="fill"):
+        imprint.split("round")
+    ball = trimesh.creation.icosphere(3)
+    angles = np.linspace(0, 2 * np.pi, 40)
+    imprint = bspline_curve.Mesh(ball.vertices, ball.faces).imprint([np.stack([np.cos(angles), np.sin(angles), 0 * angles], 1)])
+    closed = imprint.split("flat")
+    assert [int((part.labels == -1).sum()) for part in closed] == 2 * [len(imprint.curves[0]) - 2]
+    assert sum(trimesh.Trimesh(part.vertices, part.faces).volume for part in closed) == pytest.approx(ball.volume, rel=1e-12)
+    caps = [{frozenset(map(tuple, part.vertices[face])) for face in part.faces[part.labels == -1]} for part in closed]
+    assert caps[0] == caps[1]
+
+
 def test_long_work_tells_of_its_progress_and_can_be_cancelled(wavy):
     fine = bspline_curve.Mesh(*wavy(200))
     ring = fine.curve(fine.vertices[[200 * 50 + 50, 200 * 50 + 150, 200 * 150 + 150, 200 * 150 + 50]], closed=True)
@@ -304,6 +322,7 @@ def test_long_work_tells_of_its_progress_and_can_be_cancelled(wavy):
         ("measuring distances", lambda progress: ring.offset(0.08, progress=progress)),
         ("measuring distances", lambda progress: ring.faces_within(0.15, "left", progress=progress)),
         (" a patch", lambda progress: imprint.cut("largest", "smooth", progress)),
+        (" a patch", lambda progress: imprint.split("smooth", progress)),
         (" a patch", lambda progress: fine.cut([ring], "largest", "smooth", progress=progress)),
     ]
     for stage, work in works:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fill/capped_handles.h"
+#include "fill/capped_parts.h"
 
 #include "utility/index_sets.h"
 
@@ -57,6 +57,31 @@ std::vector<std::pair<CutRim, CutRim>> pairsOf(std::vector<CutRim> rims) {
     return pairs;
 }
 
+/// For each rim the part that it is a rim of.
+std::vector<int> partsOfRims(
+    const std::vector<std::vector<int>>& rims, const CutMesh& cut, const MeshParts& parts
+) {
+    // An edge of a rim has one face.
+    std::map<std::array<int, 2>, std::size_t> rimOf;
+    for (std::size_t i = 0; i < rims.size(); ++i) {
+        const std::vector<int>& rim = rims[i];
+        const auto [low, high] = std::minmax(rim[0], rim[1]);
+        rimOf[{low, high}] = i;
+    }
+    std::vector<int> partOf(rims.size(), -1);
+    for (std::size_t f = 0; f < cut.mesh.faces.size(); ++f) {
+        const Triangle& face = cut.mesh.faces[f];
+        for (int k = 0; k < 3; ++k) {
+            const auto [low, high] = std::minmax(face[k], face[(k + 1) % 3]);
+            const auto found = rimOf.find({low, high});
+            if (found != rimOf.end()) {
+                partOf[found->second] = parts.labels[f];
+            }
+        }
+    }
+    return partOf;
+}
+
 /// Adds a patch, whose points are those of a rim on one side of a cut.
 void append(
     FilledParts& result,
@@ -89,7 +114,7 @@ void append(
 
 }  // namespace
 
-std::optional<FilledParts> cappedHandles(
+std::optional<CappedParts> cappedOnBothSides(
     const ImprintedMesh& imprinted, const MeshParts& parts, const Progress& progress
 ) {
     // Slits pass their edges twice, and are left out.
@@ -112,7 +137,12 @@ std::optional<FilledParts> cappedHandles(
         }
     }
     const FilledMesh filled = fillHoles(imprinted.mesh, rims, FillShape::Flat, {}, progress);
-    FilledParts result;
+    CappedParts capped;
+    for (const auto& [one, other] : pairs) {
+        capped.edges.insert(capped.edges.end(), one.edges.begin(), one.edges.end());
+    }
+    sortUnique(capped.edges);
+    FilledParts& result = capped.whole;
     result.mesh = cut.mesh;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         const bool isLast = i + 1 == pairs.size();
@@ -146,7 +176,52 @@ std::optional<FilledParts> cappedHandles(
     result.faces.resize(result.mesh.faces.size(), -1);
     result.labels = parts.labels;
     result.labels.resize(result.mesh.faces.size(), -1);
-    return result;
+    capped.partOf = partsOfRims(result.rims, cut, parts);
+    return capped;
+}
+
+FilledParts cappedParts(const CappedParts& capped, const std::vector<int>& chosen) {
+    const FilledParts& whole = capped.whole;
+    std::vector<int> owners = whole.labels;
+    for (std::size_t i = 0; i < whole.rims.size(); ++i) {
+        const auto first = owners.begin() + whole.firstFace[i];
+        const auto end =
+            i + 1 < whole.rims.size() ? owners.begin() + whole.firstFace[i + 1] : owners.end();
+        std::fill(first, end, capped.partOf[i]);
+    }
+    SubMesh part = facesWithLabels(whole.mesh, owners, chosen);
+    // Ids of the whole are in order in the part as well.
+    const auto placeIn = [](const std::vector<int>& ids, int id) {
+        return static_cast<int>(std::ranges::lower_bound(ids, id) - ids.begin());
+    };
+    FilledParts taken;
+    for (std::size_t i = 0; i < whole.rims.size(); ++i) {
+        if (!std::ranges::binary_search(chosen, capped.partOf[i])) {
+            continue;
+        }
+        std::vector<int>& rim = taken.rims.emplace_back();
+        for (const int vertex : whole.rims[i]) {
+            rim.push_back(placeIn(part.vertices, vertex));
+        }
+        taken.firstNew.push_back(placeIn(part.vertices, whole.firstNew[i]));
+        taken.firstFace.push_back(placeIn(part.faces, whole.firstFace[i]));
+    }
+    for (const int vertex : part.vertices) {
+        taken.source.push_back(whole.source[vertex]);
+    }
+    for (const int face : part.faces) {
+        taken.faces.push_back(whole.faces[face]);
+        taken.labels.push_back(whole.labels[face]);
+    }
+    for (const int face : whole.crossing) {
+        const int own = indexIn(part.faces, face);
+        if (own >= 0) {
+            taken.crossing.push_back(own);
+        }
+    }
+    taken.endOfNew = static_cast<int>(part.vertices.size());
+    taken.mesh = std::move(part.mesh);
+    return taken;
 }
 
 }  // namespace bspline_curve
