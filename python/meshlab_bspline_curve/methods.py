@@ -637,10 +637,10 @@ def cut_along_curves(
         Points of the parts to keep, "x y z; x y z" in world coordinates. Empty: the points of Edit > PickPoints on the
         surface. Only with keep seed.
     fill : {'none', 'flat', 'smooth'}, default 'none'
-        What becomes of the holes that parts leave which are not kept; where each part becomes a layer, of those of each
-        part. Flat patches of parts are then the same triangles on both sides of a cut, unless curves cross there, or
-        patches can be sound on one side alone. none: they stay open; flat: a triangulation that bends least; with new
-        vertices only where it would cross the mesh; smooth: as dense as around, with its tangent planes.
+        What becomes of the holes that the other parts leave. Of parts that become a mesh each, flat patches are the
+        same triangles on both sides of a cut, unless curves cross there, or patches can be sound on one side alone.
+        none: they stay open; flat: a triangulation that bends least; with new vertices only where it would cross the
+        mesh; smooth: as dense as around, with its tangent planes.
     split : bool, default False
         Makes a layer of each part at curves, the largest first, and one of all that no curve parts. On in MeshLab's
         window. Only with keep all.

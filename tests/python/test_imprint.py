@@ -305,7 +305,7 @@ def test_the_mesh_is_taken_apart(mesh, arrays):
     with pytest.raises(bspline_curve.OptionError, match="fill"):
         imprint.split("round")
     ball = trimesh.creation.icosphere(3)
-    angles = np.linspace(0, 2 * np.pi, 40)
+    angles = 2 * np.pi * (np.arange(41) % 40) / 40
     imprint = bspline_curve.Mesh(ball.vertices, ball.faces).imprint([np.stack([np.cos(angles), np.sin(angles), 0 * angles], 1)])
     closed = imprint.split("flat")
     assert [int((part.labels == -1).sum()) for part in closed] == 2 * [len(imprint.curves[0]) - 2]
