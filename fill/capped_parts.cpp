@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fill/capped_parts.h"
 
+#include "bspline_curve/progress.h"
 #include "utility/index_sets.h"
 
 #include <algorithm>
@@ -13,6 +14,9 @@
 namespace bspline_curve {
 
 namespace {
+
+// Of the progress, until the patches are there.
+constexpr double kPatchedShare = 0.8;
 
 using Edges = std::vector<std::array<int, 2>>;
 
@@ -117,13 +121,17 @@ void append(
 std::optional<CappedParts> cappedOnBothSides(
     const ImprintedMesh& imprinted, const MeshParts& parts, const Progress& progress
 ) {
+    const auto goOn = [&] { report(progress, 0.0, "opening the mesh"); };
+    goOn();
     // Slits pass their edges twice, and are left out.
     Edges edges;
     for (const CutRim& rim : rimsAlong(cutAlongCurves(imprinted), curveEdges(imprinted))) {
         edges.insert(edges.end(), rim.edges.begin(), rim.edges.end());
     }
     sortUnique(edges);
+    goOn();
     const CutMesh cut = cutAlongEdges(imprinted.mesh, edges);
+    goOn();
     const std::vector<std::pair<CutRim, CutRim>> pairs = pairsOf(rimsAlong(cut, edges));
     if (pairs.empty()) {
         return std::nullopt;
@@ -136,7 +144,9 @@ std::optional<CappedParts> cappedOnBothSides(
             rim.push_back(cut.source[vertex]);
         }
     }
-    const FilledMesh filled = fillHoles(imprinted.mesh, rims, FillShape::Flat, {}, progress);
+    const FilledMesh filled =
+        fillHoles(imprinted.mesh, rims, FillShape::Flat, {}, partOf(progress, 0.0, kPatchedShare));
+    report(progress, kPatchedShare, "joining the patches to the mesh");
     CappedParts capped;
     for (const auto& [one, other] : pairs) {
         capped.edges.insert(capped.edges.end(), one.edges.begin(), one.edges.end());

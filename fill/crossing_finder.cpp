@@ -25,6 +25,7 @@ constexpr double kLeastHeight = 0x1p-23;
 constexpr int kMostMoves = 8;
 /// A region is that much longer than what is in it, at either end.
 constexpr double kRegionMargin = 0.5;
+constexpr std::size_t kFacesBetween = 4096;  // two calls of goOn
 
 }  // namespace
 
@@ -131,22 +132,33 @@ bool CrossingFinder::crossesPrepared(const Triangle& face) const {
     return isCrossed(near_) || std::ranges::any_of(patches_, isCrossed);
 }
 
-Crossings CrossingFinder::crossingsOf(const std::vector<Triangle>& faces) {
+Crossings CrossingFinder::crossingsOf(const std::vector<Triangle>& faces, const GoOn& goOn) {
+    std::size_t tested = 0;
+    const auto tell = [&] {
+        if (++tested % kFacesBetween == 0) {
+            goOn();
+        }
+    };
     Box box;
     for (const Triangle& face : faces) {
         box.extend(boxOf(face));
     }
     prepareNear(box);
+    goOn();
     Crossings found;
     const TriangleTree tree(vertices_, faces);
+    goOn();
     tree.forEachOverlappingPair([&](int i, int j) {
+        tell();
         if (counts(faces[i]) && counts(faces[j]) && cross(faces[i], faces[j])) {
             found.pairs.emplace_back(i, j);
         }
     });
     std::ranges::sort(found.pairs);
-    found.withKept =
-        indicesWhere<int>(faces.size(), [&](std::size_t f) { return crossesPrepared(faces[f]); });
+    found.withKept = indicesWhere<int>(faces.size(), [&](std::size_t f) {
+        tell();
+        return crossesPrepared(faces[f]);
+    });
     return found;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bspline_curve/mesh.h"
+#include "fill/go_on.h"
 #include "surface/triangle_tree.h"
 
 #include <Eigen/Geometry>
@@ -47,7 +48,9 @@ public:
     [[nodiscard]] bool crossesKept(const Triangle& face);
 
     /// O(n log n) where few faces overlap.
-    [[nodiscard]] Crossings crossingsOf(const std::vector<Triangle>& faces);
+    [[nodiscard]] Crossings crossingsOf(
+        const std::vector<Triangle>& faces, const GoOn& goOn = [] {}
+    );
 
 private:
     struct Kept {

@@ -550,7 +550,9 @@ private:
                 }
             }
         }
-        checker_.keep(patch);
+        if (rim_ + 1 < rims_.size()) {
+            checker_.keep(patch);
+        }
     }
 
     [[noreturn]] void refuse() const {

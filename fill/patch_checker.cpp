@@ -111,12 +111,12 @@ PatchCrossings PatchChecker::crossingsOf(const Patch& patch) {
     PatchCrossings crossing;
     goOn_();
     withPlaced(patch, [&](const std::vector<Triangle>& faces) {
-        crossing.clearly = finder_.crossingsOf(faces).faces();
+        crossing.clearly = finder_.crossingsOf(faces, goOn_).faces();
         if (!crossing.clearly.empty() || isFine_) {
             return;
         }
         goOn_();
-        crossing.narrowly = roundedFinder_.crossingsOf(faces).faces();
+        crossing.narrowly = roundedFinder_.crossingsOf(faces, goOn_).faces();
         for (const int face : crossing.narrowly) {
             if (!roundedFinder_.isSliver(faces[face])) {
                 crossing.clearly.push_back(face);
@@ -144,9 +144,9 @@ std::vector<int> PatchChecker::badFaces(const Patch& patch, bool isStrict) {
 std::vector<std::pair<int, int>> PatchChecker::crossingPairs(const Patch& patch) {
     std::vector<std::pair<int, int>> pairs;
     withPlaced(patch, [&](const std::vector<Triangle>& faces) {
-        pairs = finder_.crossingsOf(faces).pairs;
+        pairs = finder_.crossingsOf(faces, goOn_).pairs;
         if (pairs.empty() && !isFine_) {
-            pairs = roundedFinder_.crossingsOf(faces).pairs;
+            pairs = roundedFinder_.crossingsOf(faces, goOn_).pairs;
         }
     });
     return pairs;

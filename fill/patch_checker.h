@@ -2,8 +2,8 @@
 #pragma once
 
 #include "fill/crossing_finder.h"
+#include "fill/go_on.h"
 #include "fill/patch_refinement.h"
-#include "fill/rim_triangulation.h"
 
 #include <cstddef>
 #include <utility>

@@ -2,6 +2,7 @@
 #include "fill/patch_fairing.h"
 
 #include "bspline_curve/progress.h"
+#include "fill/go_on.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/SparseCholesky>
@@ -149,7 +150,9 @@ void setInnerPoints(Patch& patch, const Rows& points) {
 }
 
 /// A few steps of conjugate gradients towards the least squares, scaled by the diagonal.
-void approach(Rows& points, const Elements& elements, const LeastSquares& squares) {
+void approach(
+    Rows& points, const Elements& elements, const LeastSquares& squares, const GoOn& goOn
+) {
     const Sparse& laplacian = elements.laplacian;
     const auto dots = [](const Rows& a, const Rows& b) -> Eigen::RowVector3d {
         return a.cwiseProduct(b).colwise().sum();
@@ -169,6 +172,7 @@ void approach(Rows& points, const Elements& elements, const LeastSquares& square
         return of.cwiseQuotient(whole.cwiseMax(std::numeric_limits<double>::min())).eval();
     };
     for (int step = 0; step < kSmoothingSteps; ++step) {
+        goOn();
         const Rows change = laplacian * direction;
         const Rows weighted = squares.weight.asDiagonal() * change;
         const Eigen::RowVector3d length = shares(size, dots(change, weighted));
@@ -202,8 +206,12 @@ void fairPatch(Patch& patch, const RimSurroundings& around, int steps, const Pro
     Eigen::SimplicialLDLT<Sparse> factors;
     double lastMove = std::numeric_limits<double>::infinity();
     for (int step = 0; step < steps; ++step) {
-        report(progress, static_cast<double>(step) / steps, "fairing a patch");
+        const GoOn goOn = [&] {
+            report(progress, static_cast<double>(step) / steps, "fairing a patch");
+        };
+        goOn();
         const Elements elements = elementsOf(patch, around);
+        goOn();
         const Rows points = innerPoints(patch);
         // The first step has no curvature to go by: the patch is still flat.
         const Rows laplacians = elements.laplacian * points + elements.constant;
@@ -213,10 +221,13 @@ void fairPatch(Patch& patch, const RimSurroundings& around, int steps, const Pro
         const Sparse weighted = weight.asDiagonal() * elements.laplacian;
         const Sparse system = elements.laplacian.transpose() * weighted;
         const Rows right = weighted.transpose() * (aim - elements.constant);
+        goOn();
         if (step == 0) {
             factors.analyzePattern(system);  // points move, faces stay
+            goOn();
         }
         factors.factorize(system);
+        goOn();
         if (factors.info() != Eigen::Success) {
             return;  // the last positions are kept
         }
@@ -241,12 +252,16 @@ void fairDivided(Patch& patch, const RimSurroundings& around, const Progress& pr
         return;
     }
     for (int round = 0; round < kSmoothingRounds; ++round) {
-        report(progress, static_cast<double>(round) / kSmoothingRounds, "fairing a patch");
+        const GoOn goOn = [&] {
+            report(progress, static_cast<double>(round) / kSmoothingRounds, "fairing a patch");
+        };
+        goOn();
         const Elements elements = elementsOf(patch, around);
+        goOn();
         Rows points = innerPoints(patch);
         const Rows laplacians = elements.laplacian * points + elements.constant;
         const double curvature = meanCurvature(elements, laplacians, patch.rimCount);
-        approach(points, elements, leastSquares(elements, around, patch.rimCount, curvature));
+        approach(points, elements, leastSquares(elements, around, patch.rimCount, curvature), goOn);
         const Eigen::VectorXd moves = (points - innerPoints(patch)).rowwise().norm();
         const double size = *std::ranges::max_element(patch.most);
         if (!(moves.maxCoeff() <= size)) {

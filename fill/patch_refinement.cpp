@@ -257,14 +257,19 @@ void refinePatch(Patch& patch, Relaxing relaxing, const Progress& progress, std:
         Flips(patch).run();
     }
     for (int round = 0; round < kMostRounds && patch.faces.size() <= mostFaces; ++round) {
-        report(progress, 1.0 - 1.0 / (1.0 + round), "refining a patch");
+        const auto goOn = [&] { report(progress, 1.0 - 1.0 / (1.0 + round), "refining a patch"); };
+        goOn();
         const std::size_t tooLong = halveLongEdges(patch);
+        goOn();
         if (isMoving) {
             Flips flips(patch);
+            goOn();
             flips.run();
             for (int i = 0; i < kRelaxations; ++i) {
+                goOn();
                 relax(patch, relaxing);
             }
+            goOn();
             flips.run();
         }
         if (tooLong <= patch.faces.size() / kFacesPerLongEdge) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bspline_curve/mesh.h"
+#include "fill/go_on.h"
 
 #include <array>
 #include <functional>
@@ -18,8 +19,6 @@ inline constexpr int kMostRimPoints = 160;
 
 /// Whether a triangulation may have a triangle, given by three places in the polygon.
 using TriangleTest = std::function<bool(const Triangle&)>;
-/// Called again and again during long work; may throw, which ends it.
-using GoOn = std::function<void()>;
 
 /// A triangulation of a closed polygon in space without new points, which bends least: its largest
 /// angle between neighbours is least, then its area (P. Liepa, Filling holes in meshes, 2003; each

@@ -283,6 +283,9 @@ std::vector<FilledParts> closedParts(
     bool isAnyFilled = false;
     for (std::size_t i = 0; i < perMesh.size(); ++i) {
         const std::vector<int>& chosen = perMesh[i];
+        report(
+            further, static_cast<double>(i) / static_cast<double>(perMesh.size()), "taking parts"
+        );
         const bool isCapped =
             capped &&
             std::ranges::includes(capped->edges, edgesAround(joined, imprint.parts, chosen));
