@@ -3,18 +3,21 @@
 
 #include "filters/binding_makers.h"
 #include "filters/requests.h"
+#include "io/text_parsing.h"
 
 #include <algorithm>
-#include <charconv>
+#include <optional>
+#include <string>
 #include <string_view>
-#include <system_error>
+#include <vector>
 
 namespace bspline_curve {
 
 namespace {
 
+constexpr std::string_view kBetween = ", \t";
+
 std::vector<double> parametersOf(const std::string& text) {
-    constexpr std::string_view kBetween = ", \t";
     std::vector<double> parameters;
     std::string_view rest = text;
     const auto skipBetween = [&rest] {
@@ -23,15 +26,14 @@ std::vector<double> parametersOf(const std::string& text) {
     for (skipBetween(); !rest.empty(); skipBetween()) {
         const std::string_view word = rest.substr(0, rest.find_first_of(kBetween));
         rest.remove_prefix(word.size());
-        double& parameter = parameters.emplace_back(0.0);
-        const char* const end = word.data() + word.size();
-        const auto [stop, error] = std::from_chars(word.data(), end, parameter);
-        if (error != std::errc() || stop != end || !(parameter >= 0.0 && parameter <= 1.0)) {
+        const std::optional<double> parameter = parseNumber(word);
+        if (!parameter || !(*parameter >= 0.0 && *parameter <= 1.0)) {
             refuseChoice(
                 "at is \"" + text +
                 "\", but must be parameters in [0, 1] with commas between them, as \"0.25, 0.75\""
             );
         }
+        parameters.push_back(*parameter);
     }
     return parameters;
 }
