@@ -154,7 +154,7 @@ CurvesOnMesh curvesOnMesh(
     printNotes(loaded.notes());
     readLines(taken, arguments, placing);
     throwIfInterrupted();
-    drawLines(taken, std::move(drawing), arguments, bar);
+    drawLines(taken, drawing, arguments, bar);
     return taken;
 }
 

@@ -116,6 +116,40 @@ void append(
     }
 }
 
+/// Adds the patch of each pair of rims to both of them.
+void addPatches(
+    FilledParts& result,
+    const FilledMesh& filled,
+    const std::vector<std::pair<CutRim, CutRim>>& pairs,
+    const CutMesh& cut
+) {
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        const bool isLast = i + 1 == pairs.size();
+        const auto endOf = [&](const std::vector<int>& firsts, std::size_t end) {
+            return isLast ? static_cast<int>(end) : firsts[i + 1];
+        };
+        const auto faces = filled.mesh.faces.begin();
+        const auto points = filled.mesh.vertices.begin();
+        const std::vector<Triangle> patch(
+            faces + filled.firstFace[i], faces + endOf(filled.firstFace, filled.mesh.faces.size())
+        );
+        const std::vector<Vec3> added(
+            points + filled.firstNew[i],
+            points + endOf(filled.firstNew, filled.mesh.vertices.size())
+        );
+        for (const bool isSecond : {false, true}) {
+            for (const int face : filled.crossing) {
+                const int own = face - filled.firstFace[i];
+                if (own >= 0 && own < std::ssize(patch)) {
+                    result.crossing.push_back(static_cast<int>(result.mesh.faces.size()) + own);
+                }
+            }
+            const CutRim& rim = isSecond ? pairs[i].second : pairs[i].first;
+            append(result, patch, added, filled.firstNew[i], rim, cut, isSecond);
+        }
+    }
+}
+
 }  // namespace
 
 std::optional<CappedParts> cappedOnBothSides(
@@ -154,29 +188,7 @@ std::optional<CappedParts> cappedOnBothSides(
     sortUnique(capped.edges);
     FilledParts& result = capped.whole;
     result.mesh = cut.mesh;
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-        const bool isLast = i + 1 == pairs.size();
-        const auto endOf = [&](const std::vector<int>& firsts, std::size_t end) {
-            return isLast ? static_cast<int>(end) : firsts[i + 1];
-        };
-        const auto faces = filled.mesh.faces.begin();
-        const auto points = filled.mesh.vertices.begin();
-        const std::vector<Triangle> patch(
-            faces + filled.firstFace[i], faces + endOf(filled.firstFace, filled.mesh.faces.size())
-        );
-        const std::vector<Vec3> added(
-            points + filled.firstNew[i],
-            points + endOf(filled.firstNew, filled.mesh.vertices.size())
-        );
-        for (const int face : filled.crossing) {
-            const int own = face - filled.firstFace[i];
-            if (own >= 0 && own < std::ssize(patch)) {
-                result.crossing.push_back(static_cast<int>(result.mesh.faces.size()) + own);
-            }
-        }
-        append(result, patch, added, filled.firstNew[i], pairs[i].first, cut, false);
-        append(result, patch, added, filled.firstNew[i], pairs[i].second, cut, true);
-    }
+    addPatches(result, filled, pairs, cut);
     result.endOfNew = static_cast<int>(result.mesh.vertices.size());
     result.source = cut.source;
     result.source.resize(result.mesh.vertices.size(), -1);

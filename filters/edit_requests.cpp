@@ -27,10 +27,11 @@ std::vector<double> parametersOf(const std::string& text) {
         const std::string_view word = rest.substr(0, rest.find_first_of(kBetween));
         rest.remove_prefix(word.size());
         const std::optional<double> parameter = parseNumber(word);
-        if (!parameter || !(*parameter >= 0.0 && *parameter <= 1.0)) {
+        const bool isInside = parameter && *parameter >= 0.0 && *parameter <= 1.0;
+        if (!isInside) {
             refuseChoice(
                 "at is \"" + text +
-                "\", but must be parameters in [0, 1] with commas between them, as \"0.25, 0.75\""
+                R"(", but must be parameters in [0, 1] with commas between them, as "0.25, 0.75")"
             );
         }
         parameters.push_back(*parameter);
@@ -85,12 +86,12 @@ EditRequest editRequest(const ParameterValues& values) {
     if (isCut) {
         request.parameters = parametersOf(request.at);
         if (request.parameters.empty()) {
-            refuseChoice("at is empty, but must say where curves are cut, as \"0.25, 0.75\"");
+            refuseChoice(R"(at is empty, but must say where curves are cut, as "0.25, 0.75")");
         }
     }
     if (request.edit == CurveEdit::Trim && request.parameters.size() != 2) {
         refuseChoice(
-            "at is \"" + request.at + "\", but must be two parameters where edit is \"trim\""
+            "at is \"" + request.at + R"(", but must be two parameters where edit is "trim")"
         );
     }
     return request;

@@ -277,7 +277,7 @@ OffsetResult runOffsetFilter(
 namespace {
 
 std::vector<double> distancesAlong(const PlacedCurve& curve, const PointsRequest& request) {
-    const std::vector<double> given = parseDistances(request.distances);
+    std::vector<double> given = parseDistances(request.distances);
     if (!given.empty()) {
         return given;
     }

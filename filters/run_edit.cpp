@@ -101,8 +101,9 @@ private:
         }
         std::vector<EditResult::EditedCurve> parts;
         for (Curve& part : partsOfCurve(workpiece_, curve, at)) {
-            const std::string number = std::to_string(parts.size() + 1);
-            parts.push_back({std::move(part), label + " part " + number});
+            std::string name = label + " part ";
+            name += std::to_string(parts.size() + 1);
+            parts.push_back({std::move(part), std::move(name)});
         }
         return parts;
     }

@@ -44,11 +44,11 @@ struct Shadow {
 
 class Draper {
 public:
-    Draper(const Surface& surface, const TriangleTree& tree, const ProjectionOptions& options)
+    Draper(const Surface& surface, const TriangleTree& tree, const Vec3& direction, double distance)
         : surface_(surface),
           tree_(tree),
-          direction_(options.direction->normalized()),
-          distance_(options.distance),
+          direction_(direction.normalized()),
+          distance_(distance),
           edge_(surface.averageEdgeLength()),
           paths_(surface, {}) {
         Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
@@ -182,7 +182,7 @@ private:
         const Shadow& from, const Shadow& to
     ) const {
         const Triangle& neighbours = surface_.faceNeighbours()[from.point.face];
-        const auto across = std::ranges::find(neighbours, to.point.face);
+        const auto* const across = std::ranges::find(neighbours, to.point.face);
         if (across == neighbours.end()) {
             return std::nullopt;
         }
@@ -375,9 +375,10 @@ ProjectedLines drapedPolyline(
     const Surface& surface,
     const TriangleTree& tree,
     const SpacePolyline& line,
-    const ProjectionOptions& options
+    const Vec3& direction,
+    double distance
 ) {
-    return Draper(surface, tree, options).drape(line);
+    return Draper(surface, tree, direction, distance).drape(line);
 }
 
 }  // namespace bspline_curve

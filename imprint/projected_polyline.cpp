@@ -213,7 +213,7 @@ ProjectedLines projectedLines(
     options.validate();
     ProjectedLines result;
     if (options.direction) {
-        result = drapedPolyline(surface, tree, line, options);
+        result = drapedPolyline(surface, tree, line, *options.direction, options.distance);
     } else {
         const double reach =
             options.distance > 0.0 ? options.distance : kPickReachRelative * surface.diagonal();

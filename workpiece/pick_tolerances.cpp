@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <string>
 #include <string_view>
 #include <system_error>
 
@@ -26,15 +27,16 @@ PickTolerances::Entry entryOf(std::string_view text, const std::string& name) {
         return {.within = parseLength(std::string(text), name)};
     }
     PickTolerances::Entry entry;
-    const std::string_view number = trimmed(text.substr(kWeight.size()));
-    const char* const end = number.data() + number.size();
-    const auto [stop, error] = std::from_chars(number.data(), end, entry.weight);
+    const std::string number(trimmed(text.substr(kWeight.size())));
+    const char* const begin = number.c_str();
+    const char* const end = begin + number.size();
+    const auto [stop, error] = std::from_chars(begin, end, entry.weight);
     const bool isWeight = error == std::errc() && stop == end && std::isfinite(entry.weight);
-    if (!isWeight || !(entry.weight > 0.0)) {
+    if (!isWeight || entry.weight <= 0.0) {
         throw InputError(
             InputErrorCode::BadOption,
             name + " has \"" + std::string(text) +
-                "\", but a weight must be a number above 0, as \"weight 100\""
+                R"(", but a weight must be a number above 0, as "weight 100")"
         );
     }
     return entry;

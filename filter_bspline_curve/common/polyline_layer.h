@@ -53,7 +53,7 @@ MeshModel& addPolylinesLayer(
 MeshModel& addCurvePointsLayer(
     MeshDocument& document,
     const SurfaceLayer& surface,
-    const PointsResult& points,
+    const PointsResult& result,
     const QString& name
 );
 
