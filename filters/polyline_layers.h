@@ -30,7 +30,7 @@ struct PolylineLayer {
     /// null: it is not known.
     std::shared_ptr<const Curve> drawn{};
     bool isOptional = false;  ///< nobody chose it: it is left out where it is not near the surface
-    int id = -1;  ///< the host's own; -1: none
+    int id = -1;              ///< the host's own; -1: none
 };
 
 /// A surface and the layers of curves that a filter is to use on it.
