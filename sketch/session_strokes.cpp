@@ -168,7 +168,8 @@ void DrawingSession::takeStroke(const Answer& answer, const std::shared_ptr<Sket
             history_.replace(now);
             replaceIn(sketch_, of, curve);
             hovered_ = {};
-            if (mode_ == Mode::Pressed && sketch_.selected < 0) {
+            const bool isHeld = mode_ == Mode::Pressed || mode_ == Mode::Dragging;
+            if (isHeld && sketch_.selected < 0) {
                 mode_ = Mode::Idle;  // what was pressed is no more
             }
         }

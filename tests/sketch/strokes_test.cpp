@@ -160,6 +160,19 @@ TEST_F(AStroke, HasItsPicksReplacedWhileOneOfThemIsPressed) {
     EXPECT_EQ(curve().positions(), picks);
 }
 
+TEST_F(AStroke, HasItsPicksReplacedWhileOneOfThemIsDraggedBesideTheSurface) {
+    draw(line(0.3, 0.03));
+    EXPECT_TRUE(s_.session.press(s_.camera.over(curve().picks.back().position)));
+    s_.session.move(s_.camera.over(Vec3(3.0, 0.0, 0.0)));
+    EXPECT_TRUE(s_.session.isDragging());
+    s_.session.settle();
+    EXPECT_FALSE(s_.session.isDragging());
+    const std::vector<Vec3> picks = curve().positions();
+    s_.session.move(s_.camera.over(Vec3(0.0, 0.0, 1.0)));
+    s_.session.release(s_.camera.over(Vec3(0.0, 0.0, 1.0)));
+    EXPECT_EQ(curve().positions(), picks);
+}
+
 TEST_F(AStroke, ThatKeepsTheSelectedPickOfACurveLeavesItSelected) {
     draw(line(0.0, 0.0));
     s_.session.settle();
