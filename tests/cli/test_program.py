@@ -301,12 +301,15 @@ def test_an_existing_output_is_replaced_and_nothing_else_is_left(run, plate):
     assert sorted(p.name for p in plate.iterdir()) == ["curve.ply", "picks.json", "plate.ply"]
 
 
+VERBS = ("batch", "curve", "cut", "edit", "field", "fill", "fit", "imprint", "offset", "pattern", "points", "segment", "shell")
+
+
 def test_help_tells_all_verbs_on_one_screen(run):
     process = run("--help")
     assert (process.returncode, process.stderr) == (0, "") and process.stdout == run("help").stdout == run("-h").stdout
     lines = process.stdout.splitlines()
     assert len(lines) <= 24 and max(map(len, lines)) <= 80
-    for verb in ("batch", "curve", "cut", "edit", "field", "fill", "fit", "imprint", "offset", "pattern", "points", "segment", "shell"):
+    for verb in VERBS:
         assert any(line.startswith(f"  {verb} ") for line in lines)
         assert run(verb, "--help").returncode == 0
 
@@ -333,7 +336,7 @@ def test_help_names_every_option_with_range_and_default(run):
 
 
 def test_the_help_of_each_verb_is_in_groups(run):
-    for verb in ("batch", "curve", "cut", "edit", "field", "fill", "fit", "imprint", "offset", "pattern", "points", "segment", "shell"):
+    for verb in VERBS:
         groups = {}
         for line in run(verb, "--help").stdout.splitlines():
             if re.fullmatch(r"\w[\w ,-]*:", line):
