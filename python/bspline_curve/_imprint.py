@@ -13,7 +13,7 @@ import numpy.typing as npt
 from . import _core
 from ._arrays import Floats, Int32s, numbers, of_core
 from ._errors import FieldError, InputError, OptionError, warn
-from ._options import Option, Progress, checked_number, checked_value
+from ._options import Option, Progress, checked_number, checked_value, part_of
 
 Keep: TypeAlias = "Literal['largest', 'smallest', 'inside', 'outside'] | Sequence[float] | Sequence[Sequence[float]] | Floats"
 Profile: TypeAlias = Literal["step", "ramp", "round"]
@@ -55,7 +55,8 @@ def with_holes_filled(
     point = [] if seed is None else numbers(seed, "seed").ravel().tolist()
     if len(point) not in (0, 3):
         raise InputError(f"seed has {len(point)} numbers, but must be a point", "bad-array")
-    cut, notes = _core.imprint(core, [], SNAP.default, 0.0, progress).fill_holes(meant, length, edges, point, progress)
+    whole = _core.imprint(core, [], SNAP.default, 0.0, part_of(progress, 0.0, 0.3))
+    cut, notes = whole.fill_holes(meant, length, edges, point, part_of(progress, 0.3, 1.0))
     warn(notes, 3)
     return Cut(*cut)
 

@@ -323,6 +323,7 @@ def test_long_work_tells_of_its_progress_and_can_be_cancelled(wavy):
         ("measuring distances", lambda progress: ring.faces_within(0.15, "left", progress=progress)),
         (" a patch", lambda progress: imprint.cut("largest", "smooth", progress)),
         (" a patch", lambda progress: imprint.split("smooth", progress)),
+        (" a patch", lambda progress: fine.fill_holes("flat", progress=progress)),
         (" a patch", lambda progress: fine.cut([ring], "largest", "smooth", progress=progress)),
     ]
     for stage, work in works:
