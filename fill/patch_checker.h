@@ -2,7 +2,7 @@
 #pragma once
 
 #include "fill/crossing_finder.h"
-#include "fill/go_on.h"
+#include "utility/go_on.h"
 #include "fill/patch_refinement.h"
 
 #include <cstddef>

@@ -2,7 +2,8 @@
 #include "fill/patch_fairing.h"
 
 #include "bspline_curve/progress.h"
-#include "fill/go_on.h"
+#include "utility/go_on.h"
+#include "utility/while_waiting.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/SparseCholesky>
@@ -57,7 +58,7 @@ double leastTwiceArea(const Patch& patch, const Triangle& face) {
            std::max({squaredLength(a, b), squaredLength(b, c), squaredLength(c, a)});
 }
 
-Elements elementsOf(const Patch& patch, const RimSurroundings& around) {
+Elements elementsOf(const Patch& patch, const RimSurroundings& around, const GoOn& goOn) {
     const auto count = static_cast<int>(patch.points.size());
     const int inner = count - patch.rimCount;
     Elements result{
@@ -78,7 +79,11 @@ Elements elementsOf(const Patch& patch, const RimSurroundings& around) {
             entries.emplace_back(row, of - patch.rimCount, weight);
         }
     };
-    for (const Triangle& face : patch.faces) {
+    for (std::size_t f = 0; f < patch.faces.size(); ++f) {
+        if (f % kRoundsBetweenCalls == 0) {
+            goOn();
+        }
+        const Triangle& face = patch.faces[f];
         const Vec3& p = patch.points[face[0]];
         const Vec3 normal = (patch.points[face[1]] - p).cross(patch.points[face[2]] - p);
         const double twiceArea = std::max(normal.norm(), std::numeric_limits<double>::min());
@@ -98,13 +103,14 @@ Elements elementsOf(const Patch& patch, const RimSurroundings& around) {
             result.area[face[k]] += twiceArea / 6.0 * (patch.isOnRim(face[k]) ? 2.0 : 1.0);
         }
     }
+    goOn();
     for (int i = 0; i < count; ++i) {
         const double size = std::max(patch.sizes[i], kLeastSizeForArea * patch.most[i]);
         const double least = kLeastAreaRelative * size * size;
         result.area[i] = std::max(result.area[i], least);
         result.normal.row(i).stableNormalize();
     }
-    result.laplacian.setFromTriplets(entries.begin(), entries.end());
+    whileWaiting(goOn, [&] { result.laplacian.setFromTriplets(entries.begin(), entries.end()); });
     return result;
 }
 
@@ -163,6 +169,7 @@ void approach(
             scale[column] += squares.weight[entry.row()] * entry.value() * entry.value();
         }
     }
+    goOn();
     scale = scale.cwiseMax(std::numeric_limits<double>::min()).cwiseInverse();
     const Rows missing = squares.aim - elements.constant - laplacian * points;
     Rows residual = laplacian.transpose() * (squares.weight.asDiagonal() * missing);
@@ -210,28 +217,28 @@ void fairPatch(Patch& patch, const RimSurroundings& around, int steps, const Pro
             report(progress, static_cast<double>(step) / steps, "fairing a patch");
         };
         goOn();
-        const Elements elements = elementsOf(patch, around);
-        goOn();
+        const Elements elements = elementsOf(patch, around, goOn);
         const Rows points = innerPoints(patch);
         // The first step has no curvature to go by: the patch is still flat.
         const Rows laplacians = elements.laplacian * points + elements.constant;
         const double curvature =
             step == 0 ? 0.0 : meanCurvature(elements, laplacians, patch.rimCount);
         const auto [weight, aim] = leastSquares(elements, around, patch.rimCount, curvature);
-        const Sparse weighted = weight.asDiagonal() * elements.laplacian;
-        const Sparse system = elements.laplacian.transpose() * weighted;
-        const Rows right = weighted.transpose() * (aim - elements.constant);
-        goOn();
-        if (step == 0) {
-            factors.analyzePattern(system);  // points move, faces stay
-            goOn();
-        }
-        factors.factorize(system);
-        goOn();
+        Rows solution;
+        whileWaiting(goOn, [&, &weight = weight, &aim = aim] {
+            const Sparse weighted = weight.asDiagonal() * elements.laplacian;
+            const Sparse system = elements.laplacian.transpose() * weighted;
+            if (step == 0) {
+                factors.analyzePattern(system);  // points move, faces stay
+            }
+            factors.factorize(system);
+            if (factors.info() == Eigen::Success) {
+                solution = factors.solve(weighted.transpose() * (aim - elements.constant));
+            }
+        });
         if (factors.info() != Eigen::Success) {
             return;  // the last positions are kept
         }
-        const Rows solution = factors.solve(right);
         const double move = (solution - points).rowwise().norm().maxCoeff();
         // A step that moves farther than the one before leads away (NaN too).
         const bool leadsAway =
@@ -256,7 +263,7 @@ void fairDivided(Patch& patch, const RimSurroundings& around, const Progress& pr
             report(progress, static_cast<double>(round) / kSmoothingRounds, "fairing a patch");
         };
         goOn();
-        const Elements elements = elementsOf(patch, around);
+        const Elements elements = elementsOf(patch, around, goOn);
         goOn();
         Rows points = innerPoints(patch);
         const Rows laplacians = elements.laplacian * points + elements.constant;

@@ -4,6 +4,7 @@
 #include "bspline_curve/progress.h"
 #include "fill/inner_edges.h"
 #include "surface/surface_point.h"
+#include "utility/go_on.h"
 
 #include <Eigen/Geometry>
 
@@ -54,15 +55,19 @@ double excess(const Patch& patch, const InnerEdge& edge) {
 }
 
 /// How many were too long.
-std::size_t halveLongEdges(Patch& patch) {
+std::size_t halveLongEdges(Patch& patch, const GoOn& goOn) {
     std::vector<std::pair<double, InnerEdge>> tooLong;
-    for (const InnerEdge& edge : innerEdges(patch.faces)) {
+    const std::vector<InnerEdge> edges = innerEdges(patch.faces);
+    goOn();
+    for (const InnerEdge& edge : edges) {
         const double much = excess(patch, edge);
         if (much > 1.0) {
             tooLong.emplace_back(much, edge);
         }
     }
+    goOn();
     std::ranges::stable_sort(tooLong, std::greater(), [](const auto& each) { return each.first; });
+    goOn();
     ChangedFaces changed(patch.faces.size());
     for (const auto& [much, edge] : tooLong) {
         if (!changed.take(edge)) {
@@ -112,7 +117,7 @@ bool isBetterFlipped(const Patch& patch, const InnerEdge& edge) {
 /// Flips edges until none is better flipped, each again where one of its faces changed.
 class Flips {
 public:
-    explicit Flips(Patch& patch) : patch_(patch) {
+    Flips(Patch& patch, const GoOn& goOn) : patch_(patch) {
         Triangle none;
         none.fill(-1);
         beside_.assign(patch.faces.size(), none);
@@ -121,15 +126,20 @@ public:
             beside_[edge.second][cornerOf(patch.faces[edge.second], edge.d)] = edge.first;
         }
         edges_.reserve(2 * patch.faces.size());
-        for (const Triangle& face : patch.faces) {
+        for (std::size_t f = 0; f < patch.faces.size(); ++f) {
+            if (f % kRoundsBetweenCalls == 0) {
+                goOn();
+            }
+            const Triangle& face = patch.faces[f];
             for (int k = 0; k < 3; ++k) {
                 edges_.insert(keyOf(face[k], face[(k + 1) % 3]));
             }
         }
     }
 
-    /// Over all edges; may be called again after points have moved.
-    void run() {
+    /// Over all edges; may be called again after points have moved. Calls `goOn` within
+    /// milliseconds.
+    void run(const GoOn& goOn) {
         for (int face = 0; face < static_cast<int>(patch_.faces.size()); ++face) {
             for (int k = 0; k < 3; ++k) {
                 if (beside_[face][k] > face) {
@@ -143,6 +153,9 @@ public:
             const auto [face, k] = suspects_.front();
             suspects_.pop_front();
             tryFlip(face, k);
+            if (left % kRoundsBetweenCalls == 0) {
+                goOn();
+            }
         }
     }
 
@@ -253,24 +266,25 @@ void relaxAround(Patch& patch, const std::vector<int>& faces) {
 
 void refinePatch(Patch& patch, Relaxing relaxing, const Progress& progress, std::size_t mostFaces) {
     const bool isMoving = relaxing != Relaxing::None;
+    int round = 0;
+    const auto goOn = [&] { report(progress, 1.0 - 1.0 / (1.0 + round), "refining a patch"); };
     if (isMoving) {
-        Flips(patch).run();
+        Flips(patch, goOn).run(goOn);
     }
-    for (int round = 0; round < kMostRounds && patch.faces.size() <= mostFaces; ++round) {
-        const auto goOn = [&] { report(progress, 1.0 - 1.0 / (1.0 + round), "refining a patch"); };
+    for (; round < kMostRounds && patch.faces.size() <= mostFaces; ++round) {
         goOn();
-        const std::size_t tooLong = halveLongEdges(patch);
+        const std::size_t tooLong = halveLongEdges(patch, goOn);
         goOn();
         if (isMoving) {
-            Flips flips(patch);
+            Flips flips(patch, goOn);
             goOn();
-            flips.run();
+            flips.run(goOn);
             for (int i = 0; i < kRelaxations; ++i) {
                 goOn();
                 relax(patch, relaxing);
             }
             goOn();
-            flips.run();
+            flips.run(goOn);
         }
         if (tooLong <= patch.faces.size() / kFacesPerLongEdge) {
             return;

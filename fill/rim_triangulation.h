@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bspline_curve/mesh.h"
-#include "fill/go_on.h"
+#include "utility/go_on.h"
 
 #include <array>
 #include <functional>

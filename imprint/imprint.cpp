@@ -41,22 +41,28 @@ struct CurvePiece {
 class Imprinter {
 public:
     Imprinter(
-        const Surface& surface, std::span<const SurfacePolyline> curves, const SnapDistances& snap
+        const Surface& surface,
+        std::span<const SurfacePolyline> curves,
+        const SnapDistances& snap,
+        const GoOn& goOn
     )
         : surface_(surface),
           curves_(curves),
           nodes_(surface, snap),
           arrangement_(surface, nodes_, snap) {
         addCurves();
+        goOn();
         arrangement_.resolve();
+        goOn();
         numberVertices();
         divideFaces();
+        goOn();
     }
 
     /// Parents of children that are flat or turned over, ascending.
     [[nodiscard]] const std::vector<int>& flatFaces() const { return flatFaces_; }
 
-    [[nodiscard]] ImprintedMesh result() const;
+    [[nodiscard]] ImprintedMesh result(const GoOn& goOn) const;
 
 private:
     /// The children of one face in `triangles_`.
@@ -305,7 +311,7 @@ std::vector<int> crossingsOf(const std::vector<ImprintedCurve>& curves) {
     return crossings;
 }
 
-ImprintedMesh Imprinter::result() const {
+ImprintedMesh Imprinter::result(const GoOn& goOn) const {
     ImprintedMesh result;
     result.surfaceVertexCount = surface_.vertexCount();
     result.mesh.vertices.reserve(surface_.vertices().size() + newPositions_.size());
@@ -313,6 +319,7 @@ ImprintedMesh Imprinter::result() const {
     result.mesh.vertices.insert(
         result.mesh.vertices.end(), newPositions_.begin(), newPositions_.end()
     );
+    goOn();
     const std::size_t faceCount = surface_.faces().size() + triangles_.size() - children_.size();
     result.mesh.faces.reserve(faceCount);
     result.ownParents.reserve(faceCount);
@@ -334,6 +341,7 @@ ImprintedMesh Imprinter::result() const {
         next = face + 1;
     }
     keepUntil(surface_.faceCount());
+    goOn();
     result.ownPlaces.reserve(newNodes_.size());
     for (const int node : newNodes_) {
         result.ownPlaces.push_back(nodes_.surfacePoint(node));
@@ -398,7 +406,10 @@ void bringToInput(const Surface& surface, ImprintedMesh& imprinted) {
 }  // namespace
 
 ImprintedMesh imprint(
-    const Surface& surface, std::span<const SurfacePolyline> curves, const ImprintOptions& options
+    const Surface& surface,
+    std::span<const SurfacePolyline> curves,
+    const ImprintOptions& options,
+    const GoOn& goOn
 ) {
     std::vector<SurfacePolyline> own;
     if (!surface.provenance().isIdentity()) {
@@ -407,7 +418,8 @@ ImprintedMesh imprint(
         }
         curves = own;
     }
-    ImprintedMesh imprinted = imprintOwn(surface, curves, options);
+    ImprintedMesh imprinted = imprintOwn(surface, curves, options, goOn);
+    goOn();
     bringToInput(surface, imprinted);
     return imprinted;
 }
@@ -424,7 +436,10 @@ SurfacePoint ownPlace(
 }
 
 ImprintedMesh imprintOwn(
-    const Surface& surface, std::span<const SurfacePolyline> curves, const ImprintOptions& options
+    const Surface& surface,
+    std::span<const SurfacePolyline> curves,
+    const ImprintOptions& options,
+    const GoOn& goOn
 ) {
     options.validate();
     for (std::size_t c = 0; c < curves.size(); ++c) {
@@ -437,9 +452,9 @@ ImprintedMesh imprintOwn(
     }
     SnapDistances snap(options.snap);
     for (;;) {
-        const Imprinter imprinter(surface, curves, snap);
+        const Imprinter imprinter(surface, curves, snap, goOn);
         if (imprinter.flatFaces().empty()) {
-            return imprinter.result();
+            return imprinter.result(goOn);
         }
         std::vector<std::int64_t> hopeless;
         for (const int face : imprinter.flatFaces()) {

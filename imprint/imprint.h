@@ -4,6 +4,7 @@
 #include "bspline_curve/curve.h"
 #include "bspline_curve/imprint.h"
 #include "surface/surface.h"
+#include "utility/go_on.h"
 
 #include <span>
 #include <vector>
@@ -16,14 +17,21 @@ namespace bspline_curve {
 /// and run along edges and through vertices; their order does not matter. Imprinting what is
 /// imprinted changes nothing. O(n log n) for n segments, beside a copy of the mesh. Throws
 /// InputError (BadOption; NoPath where a curve is not strictly on the surface, or where new faces
-/// would be flat for any snapping distance); the surface is not touched. Curves are on its input.
+/// would be flat for any snapping distance), and what `goOn` throws; the surface is not touched.
+/// Curves are on its input.
 [[nodiscard]] ImprintedMesh imprint(
-    const Surface& surface, std::span<const SurfacePolyline> curves, const ImprintOptions& options
+    const Surface& surface,
+    std::span<const SurfacePolyline> curves,
+    const ImprintOptions& options,
+    const GoOn& goOn = [] {}
 );
 
 /// The same for curves with the surface's own faces; parents and places are its own ones alone.
 [[nodiscard]] ImprintedMesh imprintOwn(
-    const Surface& surface, std::span<const SurfacePolyline> curves, const ImprintOptions& options
+    const Surface& surface,
+    std::span<const SurfacePolyline> curves,
+    const ImprintOptions& options,
+    const GoOn& goOn = [] {}
 );
 
 /// Where a corner of a face is on the surface that was imprinted, in the face that it is part of.

@@ -186,19 +186,23 @@ std::vector<int> labelByArea(const TriangleMesh& mesh, DisjointSets& sets, int& 
 
 }  // namespace
 
-MeshParts partsOf(const ImprintedMesh& imprinted) {
+MeshParts partsOf(const ImprintedMesh& imprinted, const GoOn& goOn) {
     const CutMesh cut = cutAlongCurves(imprinted);
+    goOn();
     const TriangleMesh& mesh = cut.mesh;
     DisjointSets sets(mesh.faces.size());
     const std::vector<HalfEdge> halfEdges = sortedHalfEdges(mesh.faces);
+    goOn();
     forEachEdge(halfEdges, [&](std::span<const HalfEdge> sides) {
         if (sides.size() > 1) {
             sets.unite(sides[0].face, sides[1].face);
         }
     });
+    goOn();
     MeshParts result;
     int count = 0;
     result.labels = labelByArea(mesh, sets, count);
+    goOn();
     result.parts.resize(count);
     std::vector<int> partOfVertex(mesh.vertices.size(), -1);
     for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
@@ -212,6 +216,7 @@ MeshParts partsOf(const ImprintedMesh& imprinted) {
             partOfVertex[vertex] = result.labels[f];
         }
     }
+    goOn();
     for (const int part : partOfVertex) {
         if (part >= 0) {
             ++result.parts[part].euler;

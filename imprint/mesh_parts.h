@@ -3,6 +3,7 @@
 
 #include "bspline_curve/imprint.h"
 #include "imprint/imprint.h"
+#include "utility/go_on.h"
 
 #include <array>
 #include <vector>
@@ -11,8 +12,9 @@ namespace bspline_curve {
 
 /// Parts of the imprinted mesh: faces that are joined across edges which are on no curve. Numbered
 /// from the largest area to the smallest (equal areas: by first face). An edge of a curve that has
-/// one part on both sides, as that of an open curve, parts nothing. O(n log n).
-[[nodiscard]] MeshParts partsOf(const ImprintedMesh& imprinted);
+/// one part on both sides, as that of an open curve, parts nothing. O(n log n). Throws what `goOn`
+/// throws.
+[[nodiscard]] MeshParts partsOf(const ImprintedMesh& imprinted, const GoOn& goOn = [] {});
 
 /// The edges of a curve, each as (lower, higher vertex), ascending.
 [[nodiscard]] std::vector<std::array<int, 2>> edgesOf(const ImprintedCurve& curve);

@@ -207,12 +207,15 @@ CutMeshes::Piece wholePiece(const Imprint& imprint, FilledParts made) {
 }  // namespace
 
 Imprint imprintOf(
-    Imprint::Source source, std::span<const SurfacePolyline> lines, const ImprintOptions& options
+    Imprint::Source source,
+    std::span<const SurfacePolyline> lines,
+    const ImprintOptions& options,
+    const GoOn& goOn
 ) {
     Stopwatch watch;
     const Surface& surface = *source.surface;
     Imprint result;
-    result.joined = std::make_shared<const ImprintedMesh>(imprint(surface, lines, options));
+    result.joined = std::make_shared<const ImprintedMesh>(imprint(surface, lines, options, goOn));
     result.mesh = surface.provenance().hasInputCorners()
                       ? std::make_shared<const ImprintedMesh>(unjoined(surface, *result.joined))
                       : result.joined;
@@ -227,11 +230,13 @@ Imprint imprintOn(
     const ImprintOptions& options,
     const Progress& progress
 ) {
-    report(progress, 0.0, "imprinting");
+    const auto goOn = [&] { report(progress, 0.0, "imprinting"); };
+    goOn();
     JoinedLines joined = joinedFor(workpiece.parts().surface, lines);
-    Imprint result = imprintOf({.surface = std::move(joined.surface)}, joined.lines, options);
-    report(progress, kImprintedShare, "finding parts");
-    result.parts = partsOf(*result.joined);
+    goOn();
+    Imprint result = imprintOf({.surface = std::move(joined.surface)}, joined.lines, options, goOn);
+    result.parts =
+        partsOf(*result.joined, [&] { report(progress, kImprintedShare, "finding parts"); });
     report(progress, 1.0, "finding parts");
     return result;
 }

@@ -3,6 +3,7 @@
 
 #include "bspline_curve/imprint.h"
 #include "surface/surface.h"
+#include "utility/go_on.h"
 
 #include <memory>
 #include <span>
@@ -22,7 +23,10 @@ struct Imprint::Source {
 
 /// Lines of the input of a surface as edges; parts are not found yet.
 [[nodiscard]] Imprint imprintOf(
-    Imprint::Source source, std::span<const SurfacePolyline> lines, const ImprintOptions& options
+    Imprint::Source source,
+    std::span<const SurfacePolyline> lines,
+    const ImprintOptions& options,
+    const GoOn& goOn
 );
 
 }  // namespace bspline_curve

@@ -214,10 +214,14 @@ struct RimDistance {
 
 /// Of an imprint that divides another one more finely: each part has the label of the one there.
 void takeLabels(
-    const Surface& surface, const LabelsAt& labels, const MeshParts& before, Imprint& finer
+    const Surface& surface,
+    const LabelsAt& labels,
+    const MeshParts& before,
+    Imprint& finer,
+    const GoOn& goOn
 ) {
     const ImprintedMesh& joined = *finer.joined;
-    MeshParts parts = partsOf(joined);
+    MeshParts parts = partsOf(joined, goOn);
     std::vector<int> labelOf;
     for (const int face : largestFaces(joined.mesh, parts)) {
         labelOf.push_back(labels.at(middleOf(surface, joined, face)));
@@ -294,9 +298,12 @@ ProfiledImprint profiledImprint(
         surface.provenance().bringToInput(line);
     }
 
-    ProfiledImprint result{.imprint = imprintOf(source, lines, {.snap = kLeastSnap}), .shares = {}};
+    const auto goOn = [&] { report(progress, 0.8, "imprinting"); };
+    ProfiledImprint result{
+        .imprint = imprintOf(source, lines, {.snap = kLeastSnap}, goOn), .shares = {}
+    };
     keepCurves(result.imprint, curveCount);
-    takeLabels(surface, labels, imprint.parts, result.imprint);
+    takeLabels(surface, labels, imprint.parts, result.imprint, goOn);
     const ImprintedMesh& joined = *result.imprint.joined;
 
     report(progress, 0.9, "shaping a relief");
@@ -350,10 +357,11 @@ Imprint strokesOn(
     }
     options.validate();
     Imprint result =
-        imprintOf(std::move(source), sides, {.snap = std::max(options.snap, kLeastSnap)});
-    report(progress, 0.9, "finding parts");
+        imprintOf(std::move(source), sides, {.snap = std::max(options.snap, kLeastSnap)}, [&] {
+            report(progress, 0.8, "imprinting");
+        });
     const ImprintedMesh& joined = *result.joined;
-    result.parts = partsOf(joined);
+    result.parts = partsOf(joined, [&] { report(progress, 0.9, "finding parts"); });
     const std::vector<int> faces = largestFaces(joined.mesh, result.parts);
     for (std::size_t label = 0; label < faces.size(); ++label) {
         const SurfacePoint middle = middleOf(*result.source->surface, joined, faces[label]);
