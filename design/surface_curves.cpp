@@ -412,7 +412,7 @@ Curve SurfaceCurves::fit(const LineTask& task, const Progress& progress) const {
     sampling.validate();
     fit.validate();
     const LocatedPicks located =
-        locatePicks(surface(), tree(), line, options.closed, options.pickDistance);
+        locatePicks(surface(), tree(), line, options.closed, options.pickDistance, kVertexWords);
     const std::shared_ptr<const ValidatedField> none =
         fieldCache_.find(surface(), *extended(), {}, options.fieldCost);
     const DesignContext context{.field = *none};

@@ -28,7 +28,15 @@ constexpr std::size_t kMostSettling = 64;
 
 using Closest = TriangleTree::Closest;
 
-// Refuses the picks for which isBad holds, unless there are none. The message names the first one;
+std::string named(const PlaceWords& words, std::vector<std::int64_t> places) {
+    for (std::int64_t& place : places) {
+        place += words.firstNumber;
+    }
+    return std::string(places.size() == 1 ? words.one : words.many) + " " +
+           describeElements(places);
+}
+
+// Refuses the places for which isBad holds, unless there are none. The message names the first one;
 // what(first) goes on.
 template <class Condition, class What>
 void refuseWhere(
@@ -36,42 +44,45 @@ void refuseWhere(
     std::size_t count,
     const Condition& isBad,
     const What& what,
-    const std::string& remedy = "pick a point on the mesh",
-    std::size_t named = 1
+    const PlaceWords& words,
+    const std::string& remedy,
+    std::size_t most = 1
 ) {
     auto bad = indicesWhere<std::int64_t>(count, isBad);
     if (bad.empty()) {
         return;
     }
-    std::string message = describePicks({bad.front()}) + what(bad.front());
-    if (bad.size() > named) {
-        message += " (all that are concerned: " + describePicks(bad) + ")";
+    std::string message = named(words, {bad.front()}) + what(bad.front());
+    if (bad.size() > most) {
+        message += " (all that are concerned: " + named(words, bad) + ")";
     }
     throw InputError(code, message + ": " + remedy, std::move(bad));
 }
 
 // As many picks as the curve needs, of finite coordinates.
-void requireUsable(const std::vector<Vec3>& picks, bool closed) {
+void requireUsable(const std::vector<Vec3>& picks, bool closed, const PlaceWords& words) {
     const std::size_t count = picks.size();
     const std::size_t needed = closed ? 3 : 2;
     if (count < needed) {
         throw InputError(
             InputErrorCode::TooFewPicks,
             std::string(closed ? "a closed" : "an open") + " curve needs at least " +
-                std::to_string(needed) + " picks, not " + std::to_string(count) +
-                ": pick more points on the mesh"
+                std::to_string(needed) + " " + words.many + ", not " + std::to_string(count) +
+                ": " + words.more
         );
     }
     refuseWhere(
         InputErrorCode::NonFiniteCoordinate,
         count,
         [&](std::size_t i) { return !picks[i].allFinite(); },
-        [](std::size_t) { return " has a coordinate that is not a finite number"; }
+        [](std::size_t) { return " has a coordinate that is not a finite number"; },
+        words,
+        words.nearer
     );
 }
 
 LocatedPicks withoutRepeats(
-    const std::vector<Closest>& projections, double separation, bool closed
+    const std::vector<Closest>& projections, double separation, bool closed, const PlaceWords& words
 ) {
     LocatedPicks located;
     std::vector<Vec3> positions;
@@ -104,7 +115,8 @@ LocatedPicks withoutRepeats(
                    describeCount(positions.size(), "point", "points") + " of the surface, but " +
                    (closed ? "a closed curve needs 3" : "an open curve needs 2");
         },
-        "pick more points",
+        words,
+        words.more,
         0
     );
     return located;
@@ -204,9 +216,10 @@ LocatedPicks locatePicks(
     const TriangleTree& tree,
     const std::vector<Vec3>& picks,
     bool closed,
-    double reach
+    double reach,
+    const PlaceWords& words
 ) {
-    requireUsable(picks, closed);
+    requireUsable(picks, closed, words);
     const std::size_t count = picks.size();
     std::vector<Closest> projections;
     projections.reserve(count);
@@ -225,7 +238,9 @@ LocatedPicks locatePicks(
                             : describeNumber(100.0 * kPickReachRelative) + " % of the diagonal";
             return " lies " + describeNumber(distance(first)) + " from the surface, more than " +
                    most + " (" + describeNumber(allowed) + ")";
-        }
+        },
+        words,
+        words.nearer
     );
 
     std::vector<int> components = componentsOf(surface, projections);
@@ -239,16 +254,17 @@ LocatedPicks locatePicks(
         InputErrorCode::PicksOnDifferentComponents,
         count,
         [&](std::size_t i) { return components[i] != components[0]; },
-        [](std::size_t) {
-            return " lies on another connected component of the surface than " + describePicks({0});
+        [&](std::size_t) {
+            return " lies on another connected component of the surface than " + named(words, {0});
         },
-        "pick points on one component"
+        words,
+        words.together
     );
 
     for (Closest& projection : projections) {
         settle(surface, projection);
     }
-    return withoutRepeats(projections, kPickSeparationRelative * surface.diagonal(), closed);
+    return withoutRepeats(projections, kPickSeparationRelative * surface.diagonal(), closed, words);
 }
 
 std::vector<int> LocatedPicks::repeated() const {

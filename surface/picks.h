@@ -27,18 +27,48 @@ struct LocatedPicks {
     [[nodiscard]] std::vector<int> firstPicks() const;
 };
 
+/// What messages call places that a curve is drawn through, and what to do where they are no good.
+struct PlaceWords {
+    const char* one;
+    const char* many;
+    int firstNumber;
+    const char* more;      ///< of too few
+    const char* nearer;    ///< of one that is too far from the surface
+    const char* together;  ///< of ones on several components
+};
+
+inline constexpr PlaceWords kPickWords{
+    .one = "pick",
+    .many = "picks",
+    .firstNumber = 1,
+    .more = "pick more points on the mesh",
+    .nearer = "pick a point on the mesh",
+    .together = "pick points on one component"
+};
+
+/// Of the vertices of a line that is there already.
+inline constexpr PlaceWords kVertexWords{
+    .one = "vertex",
+    .many = "vertices",
+    .firstNumber = 0,
+    .more = "give a longer line",
+    .nearer = "give the mesh that the line belongs to, or a direction to drape it along",
+    .together = "give a line on one component"
+};
+
 /// Projects picked points to the surface (closest point), in order. Where connected components lie
 /// within 1e-6 diagonals of each other, to one component if all picks are as near to it.
 /// `reach`: picks that are farther from the surface are refused; 0: kPickReachRelative. Throws
 /// InputError: TooFewPicks (fewer than 2, or 3 when closed), NonFiniteCoordinate,
 /// PickTooFar, CoincidentPicks (so few different ones), PicksOnDifferentComponents; each names the
-/// picks by their index from 0; messages count them from 1.
+/// picks by their index from 0; messages say it in `words`.
 [[nodiscard]] LocatedPicks locatePicks(
     const Surface& surface,
     const TriangleTree& tree,
     const std::vector<Vec3>& picks,
     bool closed,
-    double reach = 0.0
+    double reach = 0.0,
+    const PlaceWords& words = kPickWords
 );
 
 }  // namespace bspline_curve
