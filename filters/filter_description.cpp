@@ -344,6 +344,10 @@ const FilterDescription& editFilter() {
     return filterNamed("edit_curve_on_surface");
 }
 
+const FilterDescription& fillFilter() {
+    return filterNamed("fill_holes");
+}
+
 const FilterDescription& pointsFilter() {
     return filterNamed("points_on_curve");
 }

@@ -127,6 +127,9 @@ struct FilterDescription {
 [[nodiscard]] const FilterDescription& offsetFilter();
 [[nodiscard]] const FilterDescription& patternFilter();
 
+/// The filter that closes the holes of a mesh, parsed once.
+[[nodiscard]] const FilterDescription& fillFilter();
+
 /// The filter that places points along curves, parsed once.
 [[nodiscard]] const FilterDescription& pointsFilter();
 

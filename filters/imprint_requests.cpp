@@ -78,6 +78,20 @@ Bindings<CutWords> cutBindings() {
     };
 }
 
+Bindings<FillRequest> fillBindings() {
+    using F = FillRequest;
+    return {
+        chosen(
+            "shape",
+            &F::shape,
+            Names<FillShape>{{"smooth", FillShape::Smooth}, {"flat", FillShape::Flat}}
+        ),
+        bound("max_length", &F::mostLength),
+        bound("max_edges", &F::mostEdges),
+        bound("seed", &F::seed),
+    };
+}
+
 Bindings<SegmentRequest> segmentBindings() {
     return {bound("split", &SegmentRequest::split)};
 }
@@ -198,6 +212,39 @@ CutRequest cutRequest(const ParameterValues& values) {
     }
     checkLength("stroke", choice.stroke);
     checkSolid(choice);
+    return request;
+}
+
+HoleChoice FillRequest::choice() const {
+    HoleChoice result;
+    if (mostLength > 0.0) {
+        result.mostLength = mostLength;
+    }
+    if (mostEdges > 0) {
+        result.mostEdges = mostEdges;
+    }
+    if (!seed.empty()) {
+        const std::vector<Vec3> points = parsePicksText(seed);
+        if (points.size() != 1) {
+            refuseChoice("seed must be one point, as \"x y z\"");
+        }
+        result.seed = points.front();
+    }
+    return result;
+}
+
+FillRequest fillRequest(const ParameterValues& values) {
+    FillRequest request;
+    request.use.surface = values.get<LayerId>("surface_layer");
+    request.use.mending = mendingOptions(values);
+    readAll(values, fillBindings(), request);
+    checkLength("max_length", request.mostLength);
+    if (request.mostEdges < 0) {
+        refuseChoice(
+            "max_edges is " + std::to_string(request.mostEdges) + ", but must not be negative"
+        );
+    }
+    static_cast<void>(request.choice());
     return request;
 }
 

@@ -61,6 +61,16 @@ struct CutRequest {
     CutWords words;
 };
 
+struct FillRequest {
+    CurveUse use{};  ///< without curves
+    FillShape shape = FillShape::Smooth;
+    double mostLength = 0.0;  ///< 0: any
+    int mostEdges = 0;        ///< 0: any
+    std::string seed{};       ///< "x y z"; empty: all holes
+
+    [[nodiscard]] HoleChoice choice() const;
+};
+
 struct SegmentRequest {
     ImprintRequest imprint;
     bool split = false;
@@ -86,6 +96,7 @@ inline constexpr double kOffsetRelative = 0.02;
 [[nodiscard]] Bindings<Placing> placingBindings();
 [[nodiscard]] Bindings<ImprintOptions> imprintBindings();
 [[nodiscard]] Bindings<CutWords> cutBindings();
+[[nodiscard]] Bindings<FillRequest> fillBindings();
 [[nodiscard]] Bindings<SegmentRequest> segmentBindings();
 [[nodiscard]] Bindings<OffsetOptions> offsetBindings();
 [[nodiscard]] Bindings<OffsetRequest> bandBindings();
@@ -97,11 +108,12 @@ inline constexpr double kOffsetRelative = 0.02;
 /// What all filters that use curves take. Throws InputError (BadOption).
 [[nodiscard]] CurveUse curveUse(const ParameterValues& values);
 
-// Of imprintFilter(), cutFilter(), segmentFilter(), offsetFilter() and pointsFilter(). Throw
-// InputError (BadOption) naming the value and its range where a number is outside, or where two
-// choices exclude each other.
+// Of imprintFilter(), cutFilter(), fillFilter(), segmentFilter(), offsetFilter() and
+// pointsFilter(). Throw InputError (BadOption) naming the value and its range where a number is
+// outside, or where two choices exclude each other.
 [[nodiscard]] ImprintRequest imprintRequest(const ParameterValues& values);
 [[nodiscard]] CutRequest cutRequest(const ParameterValues& values);
+[[nodiscard]] FillRequest fillRequest(const ParameterValues& values);
 [[nodiscard]] SegmentRequest segmentRequest(const ParameterValues& values);
 [[nodiscard]] OffsetRequest offsetRequest(const ParameterValues& values);
 [[nodiscard]] PointsRequest pointsRequest(const ParameterValues& values);

@@ -204,6 +204,35 @@ MeshesResult runCutFilter(
     return result;
 }
 
+MeshesResult runFillFilter(
+    const CurvesOnLayer& input, const FillRequest& request, const Progress& progress
+) {
+    Stopwatch watch;
+    report(progress, 0.0, "surface");
+    const auto workpiece = workpieceOf(input.surface, {.mending = request.use.mending});
+    const Imprint imprint =
+        imprintOn(*workpiece, {}, {}, partOf(progress, kSurfaceShare, kPlacedShare));
+    CutMeshes filled =
+        holesFilled(imprint, request.choice(), request.shape, partOf(progress, kPlacedShare, 1.0));
+    MeshesResult result;
+    result.layers.push_back({.suffix = " filled", .made = std::move(filled.pieces.front().mesh)});
+    const TriangleMesh& mesh = result.layers.front().made.mesh();
+    result.figures = {
+        {"filled_holes", filled.filledHoles},
+        {"vertices", countOf(mesh.vertices.size())},
+        {"faces", countOf(mesh.faces.size())},
+        {"new_faces", countOf(mesh.faces.size() - input.surface.mesh.faces.size())},
+        {"seconds", watch.lap()},
+    };
+    result.log.figures = keyValueText(result.figures);
+    result.log.warnings = layerNotes(*workpiece);
+    for (const std::string& note : filled.notes) {
+        result.log.warnings.push_back(asSentence(note));
+    }
+    result.log.summary = fillSummary(result.figures);
+    return result;
+}
+
 MeshesResult runSegmentFilter(
     const CurvesOnLayer& input, const SegmentRequest& request, const Progress& progress
 ) {

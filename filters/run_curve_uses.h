@@ -43,6 +43,11 @@ struct MeshesResult {
     const Progress& progress = {}
 );
 
+/// One layer with holes closed that the mesh has; no curves are needed.
+[[nodiscard]] MeshesResult runFillFilter(
+    const CurvesOnLayer& input, const FillRequest& request, const Progress& progress = {}
+);
+
 /// Parts labelled, coloured and measured, in one layer or in one for each part. Refuses curves that
 /// part nothing.
 [[nodiscard]] MeshesResult runSegmentFilter(

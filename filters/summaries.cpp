@@ -132,6 +132,11 @@ std::string cutSummary(const Figures& figures, std::size_t layers) {
     return text + "." + timeIn(figures);
 }
 
+std::string fillSummary(const Figures& figures) {
+    return counted(countIn(figures, "filled_holes"), "hole", "holes") + " filled, with " +
+           counted(countIn(figures, "new_faces"), "new face", "new faces") + "." + timeIn(figures);
+}
+
 std::string segmentSummary(const Figures& figures) {
     return imprintedSentences(figures, "imprinted") + timeIn(figures);
 }

@@ -42,6 +42,9 @@ struct CurveCircumstances {
 /// The same of a cut, with the layers that it made and the holes that it filled.
 [[nodiscard]] std::string cutSummary(const Figures& figures, std::size_t layers);
 
+/// "2 holes filled, with 140 new faces. Time: 0.02 s."
+[[nodiscard]] std::string fillSummary(const Figures& figures);
+
 /// The same of a segmentation.
 [[nodiscard]] std::string segmentSummary(const Figures& figures);
 

@@ -141,8 +141,10 @@ constexpr double kMadeShare = 0.7;  // of the work, for progress only
 /// What makes meshes of a surface and its curves.
 using MeshMaker = std::function<MeshesResult(const CurvesOnLayer&, const Progress&)>;
 
-Computing makeMeshes(const Run& run, const CurveUse& use, const MeshMaker& make) {
-    auto taken = std::make_shared<TakenCurves>(run.document, use);
+Computing makeMeshes(
+    const Run& run, const CurveUse& use, const MeshMaker& make, bool usesCurves = true
+) {
+    auto taken = std::make_shared<TakenCurves>(run.document, use, usesCurves);
     LayerData data = dataOf(taken->layer(), taken->arrays);
     return [taken, data = std::move(data), make, coloursParts = hasWindow()](
                const Progress& progress
@@ -209,6 +211,18 @@ Computing cutAlong(const Run& run) {
         [request, points = toolPointsOf(layerNamed(run.document, use.surface, "surface_layer"))](
             const CurvesOnLayer& input, const Progress& progress
         ) { return runCutFilter(input, points, request, progress); }
+    );
+}
+
+Computing fillHoles(const Run& run) {
+    const FillRequest request = fillRequest(run.values);
+    return makeMeshes(
+        run,
+        request.use,
+        [request](const CurvesOnLayer& input, const Progress& progress) {
+            return runFillFilter(input, request, progress);
+        },
+        false
     );
 }
 
@@ -335,6 +349,7 @@ const std::vector<Entry>& entries() {
         {.filter = &fitFilter(), .start = fitCurves, .product = "fit"},
         {.filter = &editFilter(), .start = editCurves, .product = "edit"},
         {.filter = &pointsFilter(), .start = placePoints, .product = "row of points"},
+        {.filter = &fillFilter(), .start = fillHoles, .product = "fill"},
     };
     return all;
 }

@@ -43,6 +43,7 @@ Place: TypeAlias = Literal["point", "curve"]
 Boundaries: TypeAlias = Literal["selected-faces", "face-quality", "face-colour", "vertex-quality"]
 Edit: TypeAlias = Literal["join", "split", "trim", "extend", "reverse"]
 Ends: TypeAlias = Literal["end", "start", "both"]
+Shape: TypeAlias = Literal["smooth", "flat"]
 
 
 def generate_bspline_curve_on_surface(
@@ -1352,6 +1353,75 @@ def points_on_curve(
     )
 
 
+def fill_holes(
+    self: pymeshlab.MeshSet,
+    *,
+    surface_layer: int | None = None,
+    shape: Shape = "smooth",
+    max_length: float = 0.0,
+    max_edges: int = 0,
+    seed: str = "",
+    strict: bool = False,
+    weld: float = 0.0,
+    slits: bool = False,
+) -> dict[str, Any]:
+    """Closes the holes that a mesh has, smooth or flat, on a copy of it.
+
+    Closes the holes that a mesh has, all or some, on a copy of it, a new layer. No new face crosses another one or the
+    mesh; where a rim allows no such patch, a warning names the faces. Vertices and faces of the mesh come first, as
+    they are. Colours, qualities and texture coordinates of the patches go on smoothly from their rims. The outer
+    boundary of an open mesh is a hole as well.
+
+    Parameters
+    ----------
+    surface_layer : int, optional
+        The layer with the triangle mesh. Default: the current layer. If that has no faces, or is the tube of a curve:
+        the layer that it was drawn on, else the only other layer with faces.
+    shape : {'smooth', 'flat'}, default 'smooth'
+        How holes are closed. smooth: as dense as around, with its tangent planes; flat: a triangulation that bends
+        least; with new vertices only where it would cross the mesh.
+    max_length : float ≥ 0, default 0.0
+        Leaves holes open whose rim is longer than this, in the unit of the mesh. 0: none.
+    max_edges : int ≥ 0, default 0
+        Leaves holes open whose rim has more edges than this. 0: none.
+    seed : str, optional
+        "x y z" in world coordinates: closes the hole alone whose rim comes nearest to this point. Empty: all holes.
+    strict : bool, default False
+        Refuses a mesh with duplicate faces, faces without area, edges or vertices that are not manifold, or faces
+        turned opposite ways, and names them. Off: a mended copy is taken; the mesh is not changed.
+    weld : float in [0, 0.01], default 0.0
+        Joins vertices of a copy that are within this distance of each other, relative to the diagonal of the mesh; 0:
+        none. For parts that only look joined.
+    slits : bool, default False
+        Leaves the mesh open where boundary edges lie on each other, as along seams of texture coordinates. Off: both
+        sides are joined on a copy; the mesh is not changed.
+
+    Returns
+    -------
+    dict
+        Figures, by name.
+
+    Raises
+    ------
+    pymeshlab.PyMeshLabException
+        The filter refuses something, or fails; the message says why.
+    """
+    return apply(
+        self,
+        "fill_holes",
+        {
+            "surface_layer": surface_layer,
+            "shape": shape,
+            "max_length": max_length,
+            "max_edges": max_edges,
+            "seed": seed,
+            "strict": strict,
+            "weld": weld,
+            "slits": slits,
+        },
+    )
+
+
 def bind() -> None:
     """Makes them methods of pymeshlab.MeshSet."""
     pymeshlab.MeshSet.generate_bspline_curve_on_surface = generate_bspline_curve_on_surface
@@ -1364,3 +1434,4 @@ def bind() -> None:
     pymeshlab.MeshSet.fit_curve_to_selection_boundary = fit_curve_to_selection_boundary
     pymeshlab.MeshSet.edit_curve_on_surface = edit_curve_on_surface
     pymeshlab.MeshSet.points_on_curve = points_on_curve
+    pymeshlab.MeshSet.fill_holes = fill_holes

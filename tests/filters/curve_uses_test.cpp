@@ -60,6 +60,24 @@ std::vector<double> xOf(const TriangleMesh& mesh) {
     return x;
 }
 
+TEST(FillFilter, ClosesTheHolesOfAMeshWithoutCurves) {
+    CurvesOnLayer input = onPlate({});
+    std::vector<Triangle>& faces = input.surface.mesh.faces;
+    faces.erase(faces.begin() + 108);  // no edge of it is on the boundary
+    const MeshesResult filled = runFillFilter(input, {.shape = FillShape::Flat, .mostEdges = 3});
+    ASSERT_EQ(filled.layers.size(), 1U);
+    EXPECT_EQ(filled.layers[0].suffix, " filled");
+    EXPECT_NEAR(areaOf(filled.layers[0].made.mesh()), 1.0, 1e-12);
+    EXPECT_EQ(figure<int>(filled.figures, "filled_holes"), 1);
+    EXPECT_EQ(figure<int>(filled.figures, "new_faces"), 1);
+    expectPart(filled.log.summary, "1 hole filled, with 1 new face.");
+    ASSERT_EQ(filled.log.warnings.size(), 1U);
+    EXPECT_EQ(filled.log.warnings[0], "1 hole stays open.");
+    FillRequest none;
+    none.mostLength = 1e-3;
+    expectPart(refusal([&] { return runFillFilter(input, none); }), "none of 2 holes");
+}
+
 TEST(ImprintFilter, MakesOneLayerThatKnowsWhereItComesFrom) {
     const CurvesOnLayer input = onPlate({square(0.005)});
     const MeshesResult result = runImprintFilter(input, {});

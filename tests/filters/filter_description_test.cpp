@@ -45,7 +45,7 @@ FilterDescription parsed(const json& document) {
 }
 
 TEST(FilterDescription, TheEmbeddedOneIsWhole) {
-    EXPECT_EQ(parseFilterDescriptions(filterDescriptionsJson()).size(), 10u);
+    EXPECT_EQ(parseFilterDescriptions(filterDescriptionsJson()).size(), 11u);
     EXPECT_EQ(curveFilter().name, "B-spline Curve on Surface");
     EXPECT_EQ(fieldFilter().name, "Scalar Field for Curves");
     EXPECT_EQ(imprintFilter().name, "Imprint Curves");
@@ -56,6 +56,7 @@ TEST(FilterDescription, TheEmbeddedOneIsWhole) {
     EXPECT_EQ(fitFilter().name, "Fit Curve to Selection Boundary");
     EXPECT_EQ(editFilter().name, "Edit Curve on Surface");
     EXPECT_EQ(pointsFilter().name, "Points on Curve");
+    EXPECT_EQ(fillFilter().name, "Fill Holes");
     EXPECT_EQ(curveFilter().publications.at(0).year, 2023);
 }
 

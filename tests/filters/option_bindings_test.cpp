@@ -156,6 +156,9 @@ TEST(OptionBindings, EveryParameterIsBoundOnce) {
     std::multiset<std::string> points = use;
     addIds(points, pointsBindings());
     EXPECT_EQ(points, idsOf(pointsFilter()));
+    std::multiset<std::string> fill{"surface_layer", "strict", "weld", "slits"};
+    addIds(fill, fillBindings());
+    EXPECT_EQ(fill, idsOf(fillFilter()));
     std::multiset<std::string> fit(fittedParameters().begin(), fittedParameters().end());
     addIds(fit, fitBindings());
     addIds(fit, fitOptionBindings());
@@ -221,6 +224,7 @@ TEST(OptionBindings, DefaultsAreThoseOfTheOptions) {
     expectDefaults(editFilter(), editBindings());
     expectDefaults(editFilter(), joinBindings());
     expectDefaults(pointsFilter(), pointsBindings());
+    expectDefaults(fillFilter(), fillBindings());
     const CutWords choice;
     for (const Binding<CutWords>& binding : cutBindings()) {
         EXPECT_EQ(cutFilter().parameter(binding.id).defaultValue, binding.write(choice));
@@ -337,6 +341,8 @@ bool isAccepted(
             static_cast<void>(editRequest(values));
         } else if (&filter == &pointsFilter()) {
             static_cast<void>(pointsRequest(values));
+        } else if (&filter == &fillFilter()) {
+            static_cast<void>(fillRequest(values));
         } else {
             static_cast<void>(fieldRequest(values));
         }
@@ -388,7 +394,8 @@ TEST(OptionBindings, RangesAreWhatTheOptionsAccept) {
           &patternFilter(),
           &fitFilter(),
           &editFilter(),
-          &pointsFilter()}) {
+          &pointsFilter(),
+          &fillFilter()}) {
         for (const ParameterDescription& parameter : filter->parameters) {
             if (parameter.type == ParameterType::Int) {
                 expectWholeRange(*filter, parameter);

@@ -45,7 +45,8 @@ const std::vector<const FilterDescription*>& filters() {
         &patternFilter(),
         &fitFilter(),
         &editFilter(),
-        &pointsFilter()
+        &pointsFilter(),
+        &fillFilter()
     };
     return all;
 }
@@ -119,6 +120,8 @@ std::string refusedBelow(const FilterDescription& filter, const ParameterDescrip
             static_cast<void>(editRequest(values));
         } else if (&filter == &pointsFilter()) {
             static_cast<void>(pointsRequest(values));
+        } else if (&filter == &fillFilter()) {
+            static_cast<void>(fillRequest(values));
         } else {
             values.set("drawing", std::string("a.svg"));
             static_cast<void>(patternRequest(values));
