@@ -9,6 +9,7 @@
 #include "cli/result_files.h"
 #include "cli/verb_parser.h"
 #include "filters/fit_requests.h"
+#include "filters/polyline_layers.h"
 #include "filters/requests.h"
 #include "io/fit_report.h"
 #include "io/report_writer.h"
@@ -17,6 +18,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,6 +35,7 @@ struct FitArguments : CurveOptions, PreparingOptions {
     std::vector<std::filesystem::path> lines;
     std::filesystem::path selection, labels;  ///< empty: none
     std::vector<std::string> layers;
+    std::optional<Vec3> direction;  ///< that lines are moved along onto the mesh
     FitOptions fit;
     LengthUnit unit = LengthUnit::Millimetre;
 };
@@ -80,8 +83,9 @@ struct FitParser {
                "trembling alone make none. 180: no corners"
         )
             ->capture_default_str();
+        app.add_option("--direction", direction, kDirectionHelp)->type_name("X,Y,Z")->needs(lines);
         addLayers(app, arguments.layers);
-        listIn(app, kLinesGroup, {"--line", "--selection", "--labels", "--layers"});
+        listIn(app, kLinesGroup, {"--line", "--direction", "--selection", "--labels", "--layers"});
         addOutput(
             app,
             arguments.output,
@@ -114,6 +118,7 @@ struct FitParser {
                 throw CLI::ValidationError("--deviation must be above 0");
             }
         }
+        arguments.direction = Placing{.direction = direction}.projection().direction;
         arguments.fit.validate();
         return arguments;
     }
@@ -127,7 +132,7 @@ struct FitParser {
         "bspline_curve fit"
     };
     FitArguments arguments;
-    std::string deviation;  // empty: not said
+    std::string deviation, direction;  // empty: not said
     DescribedOptions described{app, curveFilter()};
 };
 
@@ -184,6 +189,11 @@ ExitCode fitAndWrite(FitArguments& arguments, ProgressBar& bar) {
     }
     loaded.prepareForCurves(arguments, true, progressPart(bar, 0.0, kReadyShare));
     const Workpiece& workpiece = *loaded.workpiece;
+    if (arguments.direction) {
+        DrapedLines draped = drapedLines(workpiece, lines, *arguments.direction);
+        lines = std::move(draped.lines);
+        printNotes(draped.notes);
+    }
     const FittedLines fitted =
         fitLines(workpiece, lines, arguments.fit, arguments, progressPart(bar, kReadyShare, 1.0));
     bar.clear();

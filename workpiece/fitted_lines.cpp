@@ -2,8 +2,10 @@
 #include "bspline_curve/error.h"
 #include "bspline_curve/lines.h"
 #include "bspline_curve/progress.h"
+#include "surface/error_messages.h"
 
 #include <cstddef>
+#include <string>
 #include <utility>
 
 namespace bspline_curve {
@@ -33,6 +35,40 @@ std::vector<LineToFit> linesRound(const TriangleMesh& mesh, const Region& faces)
         lines[i].name = "boundary " + std::to_string(i + 1) + " of the faces";
     }
     return lines;
+}
+
+DrapedLines drapedLines(
+    const Workpiece& workpiece, std::span<const LineToFit> lines, const Vec3& direction
+) {
+    DrapedLines result;
+    std::vector<ProjectedLines> all;
+    for (const LineToFit& line : lines) {
+        all.push_back(projectedLines(
+            workpiece, {.points = line.points, .closed = line.closed}, {.direction = direction}
+        ));
+        const std::vector<SurfacePolyline>& parts = all.back().lines;
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            const std::string name = parts.size() == 1
+                                         ? line.name
+                                         : "part " + std::to_string(i + 1) + " of " + line.name;
+            result.lines.push_back({parts[i].points, parts[i].closed, name});
+        }
+    }
+    const std::string which = lines.size() == 1
+                                  ? lines.front().name
+                                  : describeCount(lines.size(), "line", "lines") + " to fit";
+    if (result.lines.empty()) {
+        throw InputError(
+            InputErrorCode::NoPath,
+            which +
+                ": nothing of it meets the mesh along the direction; move it, or give another "
+                "direction"
+        );
+    }
+    if (const std::string note = projectionNote(all); !note.empty()) {
+        result.notes.push_back(which + ": " + note);
+    }
+    return result;
 }
 
 FittedLines fitLines(

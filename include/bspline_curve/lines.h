@@ -120,6 +120,19 @@ struct ProjectedLines {
 /// they jump, with counts and the first of either; empty where they do neither.
 [[nodiscard]] std::string projectionNote(std::span<const ProjectedLines> polylines);
 
+/// Lines that were moved onto a mesh.
+struct DrapedLines {
+    std::vector<LineToFit> lines;
+    std::vector<std::string> notes;  ///< one at most: projectionNote()
+};
+
+/// Lines moved along a direction onto the mesh, as projectedLines() does, so that curves can be
+/// fitted to them there. A line that is parted becomes several, whose names tell it. Throws
+/// InputError (BadOption; NoPath where none meets the mesh).
+[[nodiscard]] DrapedLines drapedLines(
+    const Workpiece& workpiece, std::span<const LineToFit> lines, const Vec3& direction
+);
+
 /// The shortest path between two points of the mesh, up to rounding; where that takes more than
 /// half a second to tell, the shortest one found so far. t is the length along it, from 0 to 1.
 /// None where no way leads, or both are one point. Throws InputError (IndexOutOfRange: no face of

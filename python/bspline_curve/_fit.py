@@ -13,6 +13,7 @@ from ._curve import Curve
 from ._drawing import Drawing
 from ._errors import InputError
 from ._keywords import CURVE
+from ._lines import Placing, of_points, only_one
 from ._options import Progress, changed, checked_length, part_of
 
 if TYPE_CHECKING:
@@ -23,9 +24,12 @@ Allowed = tuple[str, float]  # how far from its line a curve may be, and from wh
 
 
 def curve_along(
-    mesh: Mesh, line: Any, closed: bool, allowed: Allowed, options: dict[str, Any], progress: Progress | None
+    mesh: Mesh, line: Any, closed: bool, direction: Any, allowed: Allowed, options: dict[str, Any], progress: Progress | None
 ) -> Curve:
-    return _fitted(mesh, finite_points(line, "line", InputError, ""), closed, allowed, options, progress)
+    points = finite_points(line, "line", InputError, "")
+    if direction is not None:
+        points = only_one(of_points(points, mesh, closed, Placing(direction=direction), "line")).points
+    return _fitted(mesh, points, closed, allowed, options, progress)
 
 
 def curves_round(

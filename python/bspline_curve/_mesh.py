@@ -284,6 +284,7 @@ class Mesh(MeshKeywords):
         line: npt.ArrayLike,
         *,
         closed: bool = False,
+        direction: npt.ArrayLike | None = None,
         deviation: float | str | None = None,
         corner_angle: float = 60.0,
         degree: int = 3,
@@ -300,6 +301,9 @@ class Mesh(MeshKeywords):
             Points near the mesh, in order, n ≥ 2, or 3 where it is closed.
         closed : bool, default False
             True: the line goes on from its last point to the first. An open curve keeps the ends of its line.
+        direction : (3,) array of float, default None
+            Drape the line first: move each of its points along this direction to the first face that is met there, coming from
+            outside. One that leaves the mesh, seen so, is refused.
         deviation : float or str, default None
             How far from the line the curve may be anywhere: a length in the unit of the mesh, or text like '1edge', in mean edges.
             It is as smooth as it can be where the line is off by about a quarter of that. None: by a mean edge, and no smoother
@@ -336,7 +340,7 @@ class Mesh(MeshKeywords):
         True
         """
         options = {"degree": degree, "tension": tension, "samples": samples, "max_segment_length": max_segment_length}
-        return curve_along(self, line, closed, allowed(deviation, corner_angle), options, progress)
+        return curve_along(self, line, closed, direction, allowed(deviation, corner_angle), options, progress)
 
     def fit_boundary(
         self,

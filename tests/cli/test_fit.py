@@ -120,3 +120,29 @@ def test_lines_without_a_curve_so_near_are_refused_with_their_name(run, refused,
     np.save(tmp_path / "one.npy", np.zeros(len(F), np.int64))
     refused(1, "fit", "plate.ply", "--labels", "one.npy", "--output", "c.json", says=["no line"])
     assert not (tmp_path / "c.json").exists()
+
+
+def test_lines_are_draped_along_a_direction_first(run, refused, tmp_path):
+    """Plans far above a hill, one of which leaves it: their shadows, smooth."""
+    V, F = meshes.plate(height=0.2, cells=30)
+    meshes.write_ply(tmp_path / "hill.ply", V, F)
+    angles = np.linspace(0, 2 * np.pi, 60, endpoint=False)
+    ring = np.c_[0.5 + 0.3 * np.cos(angles), 0.5 + 0.3 * np.sin(angles), 7 + np.cos(5 * angles)]
+    beyond = [[0.1, 0.9, 4], [0.2, 0.95, 4], [1.4, 0.95, 4]]
+    (tmp_path / "plan.obj").write_text(
+        "".join("v %.17g %.17g %.17g\n" % tuple(p) for p in [*ring, *beyond])
+        + "l " + " ".join(map(str, [*range(1, 61), 1])) + "\nl 61 62 63\n"
+    )
+    fit = ("fit", "hill.ply", "--line", "plan.obj", "--output", "c.json")
+    refused(1, *fit, says=["line 1 of plan.obj", "vertex 0 lies 7.8", "a direction to drape it along"])
+    note = run.ok(*fit, "--direction", "0,0,-1").stderr
+    assert "2 lines to fit: along the direction it is beside the mesh 1 time" in note
+    drawn = curve(tmp_path / "c.json")
+    assert drawn["closed"] and not curve(tmp_path / "c-2.json")["closed"]
+    points = np.array(drawn["polyline"]["points"])
+    assert np.abs(np.hypot(*(points[:, :2] - 0.5).T) - 0.3).max() < 0.01
+    end = np.array(curve(tmp_path / "c-2.json")["polyline"]["points"])[-1]
+    assert end[0] == pytest.approx(1, abs=1e-9)
+    refused(1, *fit, "--direction", "1,0,0", says=["nothing of it meets"])
+    refused(2, *fit, "--direction", "0,0,0", says=["not all 0"])
+    refused(2, "fit", "hill.ply", "--selection", "f.txt", "--direction", "0,0,1", "--output", "c.json", says=["--line"])

@@ -39,6 +39,19 @@ def test_a_stroke_becomes_smooth_and_can_be_edited(mesh):
     assert moved.usable and len(moved.picks) == len(curve.picks)
 
 
+def test_a_line_is_draped_first_along_a_direction(mesh):
+    x = np.linspace(-0.7, 0.7, 80)
+    plan = np.stack([x, 0.3 * np.sin(3 * x), 9 + x], 1)
+    with pytest.raises(bc.InputError, match="vertex 0 lies .* drape it along"):
+        mesh.fit(plan)
+    curve = mesh.fit(plan, direction=[0, 0, -1], deviation=0.05)
+    assert np.abs(curve.points[:, 1] - 0.3 * np.sin(3 * curve.points[:, 0])).max() < 0.02
+    with pytest.raises(bc.InputError, match="does not meet the mesh along the direction"):
+        mesh.fit(plan, direction=[1, 0, 0])
+    with pytest.raises(bc.InputError, match="2 curves, and one is needed"):
+        mesh.fit([[-0.5, 0, 9], [-0.5, 5, 9], [0.5, 5, 9], [0.5, 0, 9]], direction=[0, 0, -1])
+
+
 def test_a_right_angle_is_a_corner(flat):
     x, y = np.abs(middles(flat) @ np.array([[1, 1], [1, -1]]) / np.sqrt(2)).T
     (curve,) = flat.fit_boundary((x < 0.5) & (y < 0.5))
