@@ -212,6 +212,18 @@ struct RimDistance {
     }
 };
 
+RimDistance rimOfStrokes(const Imprint::Source& source) {
+    return {.lines = source.spines, .reach = source.halfWidth, .halfWidth = source.halfWidth};
+}
+
+RimDistance rimOfParts(
+    const Imprint& imprint, const ImprintLines& before, const std::vector<int>& parts, double width
+) {
+    return {
+        .lines = before.along(edgesAround(*imprint.joined, imprint.parts, parts)), .reach = width
+    };
+}
+
 /// Of an imprint that divides another one more finely: each part has the label of the one there.
 void takeLabels(
     const Surface& surface,
@@ -263,12 +275,7 @@ ProfiledImprint profiledImprint(
 
     const ImprintLines before(surface, *imprint.joined);
     const RimDistance rim =
-        areStrokes
-            ? RimDistance{.lines = source.spines, .reach = source.halfWidth, .halfWidth = source.halfWidth}
-            : RimDistance{
-                  .lines = before.along(edgesAround(*imprint.joined, imprint.parts, chosen)),
-                  .reach = width
-              };
+        areStrokes ? rimOfStrokes(source) : rimOfParts(imprint, before, chosen, width);
     const DistanceBeams beams(
         surface,
         rim.lines,
