@@ -2,8 +2,8 @@
 #pragma once
 
 #include "bspline_curve/mesh.h"
-#include "utility/go_on.h"
 #include "surface/triangle_tree.h"
+#include "utility/go_on.h"
 
 #include <Eigen/Geometry>
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "fill/crossing_finder.h"
-#include "utility/go_on.h"
 #include "fill/patch_refinement.h"
+#include "utility/go_on.h"
 
 #include <cstddef>
 #include <utility>
