@@ -261,9 +261,7 @@ std::vector<std::string> placingWarnings(const PlacedCurves& placed, const Layer
             "Layer \"" + label + "\" was left out: it is not near layer \"" + surface.label + "\"."
         );
     }
-    for (const std::string& note : placed.notes) {
-        warnings.push_back(asSentence(note));
-    }
+    addSentences(warnings, placed.notes);
     return warnings;
 }
 

@@ -65,12 +65,6 @@ struct Imprinted {
     Imprint imprint;
     Figures figures;
     std::vector<std::string> warnings;
-
-    void warn(const std::vector<std::string>& notes) {
-        for (const std::string& note : notes) {
-            warnings.push_back(asSentence(note));
-        }
-    }
 };
 
 Imprinted imprinted(
@@ -187,7 +181,7 @@ MeshesResult runCutFilter(
     const CutChoice choice = cutChoice(request.words, toolPoints);
     Imprinted from = imprinted(input, request.imprint, progress, request.words.stroke);
     CutMeshes cut = cutOn(from.imprint, choice, partOf(progress, kPartsShare, 1.0));
-    from.warn(cut.notes);
+    addSentences(from.warnings, cut.notes);
     std::vector<MeshLayer> layers;
     for (CutMeshes::Piece& piece : cut.pieces) {
         const std::string suffix = choice.relief != 0.0    ? " relief"
@@ -226,9 +220,7 @@ MeshesResult runFillFilter(
     };
     result.log.figures = keyValueText(result.figures);
     result.log.warnings = layerNotes(*workpiece);
-    for (const std::string& note : filled.notes) {
-        result.log.warnings.push_back(asSentence(note));
-    }
+    addSentences(result.log.warnings, filled.notes);
     result.log.summary = fillSummary(result.figures);
     return result;
 }
@@ -239,7 +231,7 @@ MeshesResult runSegmentFilter(
     Stopwatch watch;
     Imprinted from = imprinted(input, request.imprint, progress);
     CutMeshes segments = segmentsOf(from.imprint, request.split);
-    from.warn(segments.notes);
+    addSentences(from.warnings, segments.notes);
     std::vector<MeshLayer> layers;
     for (CutMeshes::Piece& piece : segments.pieces) {
         layers.push_back(

@@ -36,9 +36,7 @@ std::vector<std::string> warningsOf(
         warnings = found->shell().notes;
     }
     std::ranges::move(layerNotes(*found.workpiece), std::back_inserter(warnings));
-    for (const std::string& note : drawn.notes) {
-        warnings.push_back(asSentence(note));
-    }
+    addSentences(warnings, drawn.notes);
     return warnings;
 }
 

@@ -71,9 +71,7 @@ FitResult runFitFilter(
     result.log.figures = keyValueText(result.figures);
     result.log.summary = fitSummary(result.figures);
     result.log.warnings = layerNotes(*found.workpiece);
-    for (const std::string& note : fitted.notes) {
-        result.log.warnings.push_back(asSentence(note));
-    }
+    addSentences(result.log.warnings, fitted.notes);
     return result;
 }
 

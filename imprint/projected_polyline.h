@@ -10,6 +10,10 @@
 
 namespace bspline_curve {
 
+/// Follows the name of what was to be draped.
+inline constexpr const char* kNothingMet =
+    ": nothing of it meets the mesh along the direction; move it, or give another direction";
+
 /// A polyline that is near the surface, projected onto it: its points become their closest points,
 /// and so do points between them, as dense as edges are there; shortest paths join these. The
 /// result is strict, and on the surface's input; t is the length along it, from 0 to 1. Throws

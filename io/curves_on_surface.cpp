@@ -103,12 +103,7 @@ CurvesOfFile CurvesOnSurface::read(const std::filesystem::path& file) {
         std::ranges::move(all[i].lines, std::back_inserter(result.lines));
     }
     if (result.lines.empty()) {
-        throw InputError(
-            InputErrorCode::PickTooFar,
-            file.string() +
-                ": nothing of it meets the mesh along the direction; move it, or give "
-                "another direction"
-        );
+        throw InputError(InputErrorCode::PickTooFar, file.string() + kNothingMet);
     }
     result.splines.resize(result.lines.size());
     if (const std::string note = projectionNote(all); !note.empty()) {

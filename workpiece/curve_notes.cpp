@@ -17,6 +17,12 @@ std::string asSentence(std::string note) {
     return note + ".";
 }
 
+void addSentences(std::vector<std::string>& sentences, const std::vector<std::string>& notes) {
+    for (const std::string& note : notes) {
+        sentences.push_back(asSentence(note));
+    }
+}
+
 std::string describeUnusable(const SolveReport& report) {
     constexpr double kMissed = 1e-9;  // of the diagonal; constraints are met to rounding
     std::string text = std::string("the curve is not usable (") + name(report.status) +

@@ -11,6 +11,9 @@ namespace bspline_curve {
 /// A note as a sentence of its own: with a capital, and a stop.
 [[nodiscard]] std::string asSentence(std::string note);
 
+/// Appends notes as sentences.
+void addSentences(std::vector<std::string>& sentences, const std::vector<std::string>& notes);
+
 /// Why a curve is not usable, for people: how it was made, how far it is from the surface, on which
 /// parameters and faces that is, as far as it is known, and what to do. One line without a stop.
 [[nodiscard]] std::string describeUnusable(const SolveReport& report);

@@ -2,6 +2,7 @@
 #include "bspline_curve/error.h"
 #include "bspline_curve/lines.h"
 #include "bspline_curve/progress.h"
+#include "imprint/projected_polyline.h"
 #include "surface/error_messages.h"
 
 #include <cstddef>
@@ -58,12 +59,7 @@ DrapedLines drapedLines(
                                   ? lines.front().name
                                   : describeCount(lines.size(), "line", "lines") + " to fit";
     if (result.lines.empty()) {
-        throw InputError(
-            InputErrorCode::NoPath,
-            which +
-                ": nothing of it meets the mesh along the direction; move it, or give another "
-                "direction"
-        );
+        throw InputError(InputErrorCode::NoPath, which + kNothingMet);
     }
     if (const std::string note = projectionNote(all); !note.empty()) {
         result.notes.push_back(which + ": " + note);
