@@ -49,7 +49,7 @@ std::optional<double> timeWarm(
 ) {
     std::vector<double> times;
     const std::vector<int> corners = arguments.corners.of(picks.size());
-    const std::vector<Vec3> tangents = arguments.tangents.of(picks.size());
+    const std::vector<PickTangent> tangents = arguments.tangents.of(picks.size());
     const std::vector<MeshLength> tolerances = arguments.pickTolerances.within(picks.size());
     const std::vector<double> weights = arguments.pickTolerances.weights(picks.size());
     for (int i = 0; i < arguments.repeat; ++i) {

@@ -45,17 +45,32 @@ void requireTangentOptions(const SolverOptions& options) {
     }
 }
 
+/// The unit direction along the surface; zero: any.
+Vec3 alongSurface(const Vec3& asked, const Vec3& normal, std::size_t pick) {
+    if (asked.isZero(0.0)) {
+        return asked;
+    }
+    if (!asked.allFinite()) {
+        refuseTangent(pick, " is not finite");
+    }
+    const Vec3 direction = asked.normalized();
+    const Vec3 along = direction - direction.dot(normal) * normal;
+    if (!(along.norm() >= kLeastAlong)) {
+        refuseTangent(pick, " is normal to the surface");
+    }
+    return along.normalized();
+}
+
 }  // namespace
 
-std::vector<Vec3> tangentsOf(
+std::vector<PickTangent> tangentsOf(
     const ExtendedSurface& extended,
     const LocatedPicks& located,
-    std::span<const Vec3> asked,
+    std::span<const PickTangent> asked,
     std::span<const int> corners,
     const SolverOptions& options
 ) {
-    const auto isFree = [](const Vec3& direction) { return direction.isZero(0.0); };
-    if (std::ranges::all_of(asked, isFree)) {
+    if (std::ranges::all_of(asked, &PickTangent::isAny)) {
         return {};
     }
     if (asked.size() != located.pointOf.size()) {
@@ -67,34 +82,46 @@ std::vector<Vec3> tangentsOf(
     }
     requireTangentOptions(options);
     const int last = static_cast<int>(located.points.size()) - 1;
-    std::vector<Vec3> tangents(located.points.size(), Vec3::Zero());
+    std::vector<PickTangent> tangents(located.points.size());
     for (std::size_t i = 0; i < asked.size(); ++i) {
         const int point = located.pointOf[i];
-        if (isFree(asked[i]) || !isFree(tangents[point])) {
+        if (asked[i].isAny() || !tangents[point].isAny()) {
             continue;
         }
-        if (!asked[i].allFinite()) {
-            refuseTangent(i, " is not finite");
-        }
         const bool isEnd = !options.closed && (point == 0 || point == last);
-        if (!isEnd && std::ranges::binary_search(corners, point)) {
-            refuseTangent(i, " is one of a corner, at which the curve has two directions");
-        }
-        const Vec3 direction = asked[i].normalized();
+        const bool isCorner = !isEnd && std::ranges::binary_search(corners, point);
         const Vec3 normal = unitNormalAt(extended, located.points[point]);
-        const Vec3 along = direction - direction.dot(normal) * normal;
-        if (!(along.norm() >= kLeastAlong)) {
-            refuseTangent(i, " is normal to the surface");
+        PickTangent& tangent = tangents[point];
+        tangent.before = alongSurface(asked[i].before, normal, i);
+        tangent.after = alongSurface(asked[i].after, normal, i);
+        if (!isEnd && !isCorner && !asked[i].isOne()) {
+            refuseTangent(i, " has two directions, which only a corner can have");
         }
-        tangents[point] = along.normalized();
+        if (isEnd) {
+            tangent = PickTangent::along(point == 0 ? tangent.after : tangent.before);
+        }
     }
     return tangents;
+}
+
+std::vector<Vec3> tangentsOfPiece(
+    std::span<const PickTangent> tangents, std::span<const int> points, bool closed
+) {
+    std::vector<Vec3> result;
+    for (const int point : tangents.empty() ? std::span<const int>() : points) {
+        result.push_back(tangents[point].after);
+    }
+    if (!result.empty() && !closed) {
+        result.back() = tangents[points.back()].before;
+    }
+    const bool areAny = std::ranges::all_of(result, [](const Vec3& t) { return t.isZero(0.0); });
+    return areAny ? std::vector<Vec3>() : result;
 }
 
 std::vector<MetTangent> metTangents(
     const ExtendedSurface& extended,
     const LocatedPicks& located,
-    std::span<const Vec3> tangents,
+    std::span<const PickTangent> tangents,
     const Curve& curve
 ) {
     const SurfacePolyline& line = curve.polyline;
@@ -102,26 +129,30 @@ std::vector<MetTangent> metTangents(
     std::vector<MetTangent> met;
     for (std::size_t i = 0; !tangents.empty() && i < located.pointOf.size(); ++i) {
         const int point = located.pointOf[i];
-        const Vec3& tangent = tangents[point];
-        if (tangent.isZero(0.0)) {
+        const PickTangent& asked = tangents[point];
+        if (asked.isAny()) {
             continue;
         }
-        MetTangent each{.pick = static_cast<int>(i)};
-        each.ofSpline =
-            angleBetween(tangent, derivativeOf(curve.spline, curve.spline.pickParameters[i]));
+        MetTangent each{
+            .pick = static_cast<int>(i),
+            .isBefore = !asked.before.isZero(0.0),
+            .isAfter = !asked.after.isZero(0.0)
+        };
+        const PickTangent drawn = directionsAtPick(curve.spline, each.pick);
         const Vec3 normal = unitNormalAt(extended, located.points[point]);
         const int vertex = line.picks[i];
-        const auto measure = [&](int from, int to) {
+        const auto measure = [&](const Vec3& tangent, const Vec3& ofSpline, int from, int to) {
+            each.ofSpline = std::max(each.ofSpline, angleBetween(tangent, ofSpline));
             const Vec3 way =
                 line.points[(to + count) % count] - line.points[(from + count) % count];
             const Vec3 along = way - way.dot(normal) * normal;
             each.ofPolyline = std::max(each.ofPolyline, angleBetween(tangent, along));
         };
-        if (line.closed || vertex > 0) {
-            measure(vertex - 1, vertex);
+        if (each.isBefore && (line.closed || vertex > 0)) {
+            measure(asked.before, drawn.before, vertex - 1, vertex);
         }
-        if (line.closed || vertex + 1 < count) {
-            measure(vertex, vertex + 1);
+        if (each.isAfter && (line.closed || vertex + 1 < count)) {
+            measure(asked.after, drawn.after, vertex, vertex + 1);
         }
         met.push_back(each);
     }

@@ -27,6 +27,7 @@
 #include <cstdint>
 #include <iterator>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -217,7 +218,7 @@ struct PointDemands {
     bool isNear = false;                     ///< to some of them
     std::vector<PickLeeway> leeways;         ///< of each, in the user's unit
     std::vector<std::vector<int>> sections;  ///< see pointsOfSections()
-    std::vector<Vec3> tangents;              ///< see tangentsOf()
+    std::vector<PickTangent> tangents;       ///< see tangentsOf()
 };
 
 PointDemands demandsOf(
@@ -232,7 +233,7 @@ PointDemands demandsOf(
     demands.tangents =
         tangentsOf(*prepared.extended(), located, task.tangents, corners, task.options);
     for (std::size_t i = 0; i < demands.tangents.size(); ++i) {
-        if (!demands.tangents[i].isZero(0.0)) {
+        if (!demands.tangents[i].isAny()) {
             demands.leeways[i] = {};
         }
     }
@@ -285,12 +286,8 @@ std::vector<Value> chosenOf(std::span<const Value> values, std::span<const int> 
 }
 
 /// Section by section, each as an open curve.
-Curve drawSections(
-    const LocatedTask& task,
-    std::span<const PickLeeway> leeways,
-    std::span<const std::vector<int>> pointsOfEach,
-    const Progress& progress
-) {
+Curve drawSections(const LocatedTask& task, const PointDemands& demands, const Progress& progress) {
+    const std::vector<std::vector<int>>& pointsOfEach = demands.sections;
     SolverOptions options = task.options;
     options.closed = false;
     const Curve* const start = task.context.start;
@@ -301,7 +298,7 @@ Curve drawSections(
         const std::vector<int>& points = pointsOfEach[s];
         const auto picks = chosenOf(std::span(task.picks), points);
         const std::vector<int> numbers = chosenOf(task.context.pickNumbers, points);
-        std::vector<PickLeeway> reaches = chosenOf(leeways, points);
+        std::vector<PickLeeway> reaches = chosenOf(std::span(demands.leeways), points);
         // Both sections of a corner end there.
         const bool isFirst = !task.options.closed && s == 0;
         const bool isLast = !task.options.closed && s + 1 == pointsOfEach.size();
@@ -310,9 +307,7 @@ Curve drawSections(
         DesignContext context = task.context;
         context.start = starts.empty() ? nullptr : &starts[s];
         context.pickNumbers = numbers;
-        const std::vector<Vec3> tangents = task.context.tangents.empty()
-                                               ? std::vector<Vec3>()
-                                               : chosenOf(task.context.tangents, points);
+        const std::vector<Vec3> tangents = tangentsOfPiece(demands.tangents, points, false);
         context.tangents = tangents;
         const LocatedTask section{task.prepared, picks, options, task.sampling, context, task.side};
         sections.push_back(
@@ -364,6 +359,9 @@ Curve SurfaceCurves::design(const CurveTask& task, const Progress& progress) con
     }
     const PointDemands demands = demandsOf(*this, task, located);
     const std::vector<int> numbers = located.firstPicks();
+    std::vector<int> points(located.points.size());
+    std::iota(points.begin(), points.end(), 0);
+    const std::vector<Vec3> tangents = tangentsOfPiece(demands.tangents, points, options.closed);
     const DesignContext context{
         .field = *validated,
         .obstacles = obstacles ? &*obstacles : nullptr,
@@ -371,7 +369,7 @@ Curve SurfaceCurves::design(const CurveTask& task, const Progress& progress) con
         .start = repeated.empty() && !demands.isNear ? task.start : nullptr,
         .keepsKnots = task.isPreview,
         .pickNumbers = numbers,
-        .tangents = demands.tangents
+        .tangents = tangents
     };
     std::optional<WorkerThread> side;
     if (areWorthTwoThreads(surface().faces().size())) {
@@ -380,9 +378,8 @@ Curve SurfaceCurves::design(const CurveTask& task, const Progress& progress) con
     const LocatedTask here{
         *this, located.points, options, sampling, context, side ? &*side : nullptr
     };
-    Curve curve = demands.sections.empty()
-                      ? drawSmooth(here, demands.leeways, progress)
-                      : drawSections(here, demands.leeways, demands.sections, progress);
+    Curve curve = demands.sections.empty() ? drawSmooth(here, demands.leeways, progress)
+                                           : drawSections(here, demands, progress);
     Stopwatch watch;
     if (demands.isNear) {
         reportNearPicks(surface(), located, curve);

@@ -5,6 +5,7 @@
 #include "bspline_curve/field.h"
 #include "bspline_curve/mesh.h"
 #include "bspline_curve/options.h"
+#include "bspline_curve/tangent.h"
 #include "design/field_cache.h"
 #include "design/prepared_surface.h"
 
@@ -23,7 +24,7 @@ struct CurveTask {
     std::span<const MeshLength> pickTolerances;  ///< see CurveInputs
     std::span<const double> pickWeights;         ///< likewise
     std::span<const int> corners;                ///< likewise
-    std::span<const Vec3> tangents;              ///< likewise
+    std::span<const PickTangent> tangents;       ///< likewise
     const Curve* start;                          ///< see CurveInputs; null: none
     bool isPreview;                              ///< likewise
 };

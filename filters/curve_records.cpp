@@ -80,9 +80,9 @@ Json recordJson(const CurveRecord& record, bool isShort) {
         result.update(contentJson({.curve = *record.curve}));
     }
     result.erase("tangents");  // the picks' own, as they were asked for
-    std::vector<std::pair<int, Vec3>> tangents;
+    std::vector<std::pair<int, PickTangent>> tangents;
     for (std::size_t i = 0; i < record.picks.size(); ++i) {
-        if (!record.picks[i].tangent.isZero(0.0)) {
+        if (!record.picks[i].tangent.isAny()) {
             tangents.emplace_back(static_cast<int>(i), record.picks[i].tangent);
         }
     }
@@ -187,8 +187,8 @@ private:
                 }
             }
         }
-        for (const auto& [pick, direction] : tangentsOfJson(file_, curve, picks.size()).entries) {
-            picks[pick].tangent = direction;
+        for (const auto& [pick, tangent] : tangentsOfJson(file_, curve, picks.size()).entries) {
+            picks[pick].tangent = tangent;
         }
         if (picks.empty()) {
             refuseFile(file_, R"(has neither "picks" nor a "polyline" with "picks")");

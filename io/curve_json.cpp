@@ -142,11 +142,21 @@ Json contentJson(const CurveContent& content) {
     return result;
 }
 
-void addTangents(const std::vector<std::pair<int, Vec3>>& tangents, Json& curve) {
-    for (const auto& [pick, direction] : tangents) {
-        curve["tangents"].push_back(
-            {{"pick", pick}, {"direction", {direction.x(), direction.y(), direction.z()}}}
-        );
+void addTangents(const std::vector<std::pair<int, PickTangent>>& tangents, Json& curve) {
+    for (const auto& [pick, tangent] : tangents) {
+        Json entry = {{"pick", pick}};
+        const auto add = [&](const char* key, const Vec3& direction) {
+            if (!direction.isZero(0.0)) {
+                entry[key] = {direction.x(), direction.y(), direction.z()};
+            }
+        };
+        if (tangent.isOne()) {
+            add("direction", tangent.after);
+        } else {
+            add("before", tangent.before);
+            add("after", tangent.after);
+        }
+        curve["tangents"].push_back(std::move(entry));
     }
 }
 

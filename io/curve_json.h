@@ -29,9 +29,9 @@ namespace bspline_curve {
 /// {"closed", "polyline", "spline"}, and "tangents" where picks have any.
 [[nodiscard]] Json contentJson(const CurveContent& content);
 
-/// Writes "tangents" of picks into a curve: [{"pick", "direction"}, …]; nothing where there are
-/// none.
-void addTangents(const std::vector<std::pair<int, Vec3>>& tangents, Json& curve);
+/// Writes "tangents" of picks into a curve: [{"pick", "direction"}, …], of corners with two
+/// directions {"pick", "before", "after"}, or one of these; nothing where there are none.
+void addTangents(const std::vector<std::pair<int, PickTangent>>& tangents, Json& curve);
 
 /// {"vertices", "faces", "crc32"}.
 [[nodiscard]] Json meshJson(const MeshChecksum& mesh);

@@ -44,8 +44,8 @@ namespace bspline_curve {
     const std::filesystem::path& file, const nlohmann::json& object, std::size_t picks
 );
 
-/// What an object says of directions at so many picks: a list "tangents" of {"pick", "direction"},
-/// or nothing.
+/// What an object says of directions at so many picks: a list "tangents" as addTangents() writes
+/// it, or nothing.
 [[nodiscard]] PickDirections tangentsOfJson(
     const std::filesystem::path& file, const nlohmann::json& object, std::size_t picks
 );

@@ -64,7 +64,9 @@ PickDirections tangentsOfJson(const path& file, const nlohmann::json& object, st
     const auto count = static_cast<std::int64_t>(picks);
     const bool areOfPicks =
         written.is_array() && std::ranges::all_of(written, [&](const nlohmann::json& each) {
-            return each.is_object() && each.contains("pick") && each.contains("direction") &&
+            return each.is_object() && each.contains("pick") &&
+                   (each.contains("direction") || each.contains("before") ||
+                    each.contains("after")) &&
                    each.at("pick").is_number_integer() &&
                    each.at("pick").get<std::int64_t>() >= 0 &&
                    each.at("pick").get<std::int64_t>() < count;
@@ -72,18 +74,27 @@ PickDirections tangentsOfJson(const path& file, const nlohmann::json& object, st
     if (!areOfPicks) {
         refuseFile(
             file,
-            R"("tangents" is no list of {"pick": …, "direction": [x, y, z]} with picks in [0, )" +
+            R"("tangents" is no list of {"pick": …, "direction": [x, y, z]}, or of a corner "before" and "after", with picks in [0, )" +
                 std::to_string(count - 1) + "]"
         );
     }
     for (const nlohmann::json& each : written) {
         const int pick = each.at("pick").get<int>();
-        const Vec3 direction =
-            pointOfJson(file, each.at("direction"), "the direction of " + describePicks({pick}));
-        if (direction.isZero(0.0)) {
-            refuseFile(file, "the direction of " + describePicks({pick}) + " is zero");
-        }
-        tangents.entries.emplace_back(pick, direction);
+        const auto directionOf = [&](const char* key, const Vec3& otherwise) {
+            if (!each.contains(key)) {
+                return otherwise;
+            }
+            const Vec3 direction =
+                pointOfJson(file, each.at(key), "the direction of " + describePicks({pick}));
+            if (direction.isZero(0.0)) {
+                refuseFile(file, "the direction of " + describePicks({pick}) + " is zero");
+            }
+            return direction;
+        };
+        const Vec3 both = directionOf("direction", Vec3::Zero());
+        tangents.entries.emplace_back(
+            pick, PickTangent{directionOf("before", both), directionOf("after", both)}
+        );
     }
     return tangents;
 }

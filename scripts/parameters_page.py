@@ -84,7 +84,7 @@ def values_of(parameter):
     if kind == "picks":
         return "numbers of picks, or `all`"
     if kind == "tangents":
-        return "numbers of picks, each with a direction"
+        return "numbers of picks, each with a direction, or two"
     if kind == "string":
         return "text"
     low, high = parameter.get("min"), parameter.get("max")

@@ -15,7 +15,8 @@ HELP = {
     "max_segment_length": "No segment of the polyline is longer, in the unit of the mesh. 0: no limit.",
     "shell": "Where curves are sought.",
     "tangents": "Directions in which the curve passes picks, by their indices, as {0: (1, 0, 0)}. Their part along the surface counts, "
-                "not their length. Such picks are passed whatever their tolerance, and are no corners.",
+                "not their length. Such picks are passed whatever their tolerance. A corner has two, before and after it: "
+                "{2: ((1, 0, 0), (0, 1, 0))}; None in place of one that is free.",
     "pick_tolerance": "How far from each pick the curve may pass: it is as fair as possible within that distance. A length in the unit "
                       "of the mesh, or text like '1.5 edges', in mean edges; one for all picks, or one for each. 0: it passes the picks. "
                       "In place of a length, 'weight 100': no bound, but a pull that grows with the distance.",
@@ -52,7 +53,7 @@ def parameters_of(flt, keep):
 def documented(parameter):
     kind, text = parameter["type"], parameter["help"]
     words = {"bool": "bool", "int": "int", "length": "float or str", "tolerances": "float or str, or a sequence of these", "picks": "sequence of int, or 'all'",
-             "tangents": "mapping of int to (3,) arrays, optional"}.get(kind, "float")
+             "tangents": "mapping of int to (3,) arrays, or pairs of these, optional"}.get(kind, "float")
     if kind == "enum":
         words = "{" + ", ".join(repr(o["id"]) for o in options_of(parameter, False)) + "}"
         told = [f"{o['id']}: {o['help']}" for o in options_of(parameter, False) if "help" in o]
@@ -66,7 +67,7 @@ def documented(parameter):
 
 def type_in_python(parameter):
     """Picks are chosen by their indices, not by text."""
-    own = {"picks": 'Sequence[int] | Literal["all"]', "tangents": "Mapping[int, npt.ArrayLike] | None"}
+    own = {"picks": 'Sequence[int] | Literal["all"]', "tangents": "Mapping[int, npt.ArrayLike | tuple[npt.ArrayLike | None, npt.ArrayLike | None]] | None"}
     return own.get(parameter["type"]) or type_of(parameter, False)
 
 

@@ -119,7 +119,7 @@ def margin(folder):
 
 
 def heart(folder):
-    """A heart on a ball: without corners, with two, and with a direction at the notch's sides as well."""
+    """A heart on a ball: without corners, with two, and with directions on their sides as well."""
     vertices, faces = ball()
     work, view, up = Work(folder, vertices, faces), (0, 0, 1), (0, 1, 0)
     x = 16 * np.sin(TURNS) ** 3
@@ -127,7 +127,9 @@ def heart(folder):
     picks = np.stack([0.034 * x, 0.034 * y + 0.08, np.ones(12)], 1)
     picks /= np.linalg.norm(picks, axis=1, keepdims=True)
     images = []
-    for name, words in (("round", ()), ("heart", ("--corners", "1,7"))):
+    corners = ("--corners", "1,7")
+    sides = ("--tangents", "1: 0, -1, 0 / 0, 1, 0; 7: -0.5, -1, 0 / -0.5, 1, 0")
+    for name, words in (("round", ()), ("heart", corners), ("led", (*corners, *sides))):
         line = work.curve(name, picks, *words)
         images.append(picture([surface(vertices, faces), line_shape(line, 0.012), *dots(picks, 0.02, DARK)], view, (420, 420), up=up))
     return images

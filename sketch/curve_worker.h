@@ -18,8 +18,8 @@ namespace bspline_curve {
 struct SolveRequest {
     std::uint64_t id = 0;  ///< of whoever asks; comes back with the answer
     std::vector<Vec3> picks;
-    std::vector<int> corners;    ///< of these
-    std::vector<Vec3> tangents;  ///< likewise, see CurveInputs::tangents
+    std::vector<int> corners;           ///< of these
+    std::vector<PickTangent> tangents;  ///< likewise, see CurveInputs::tangents
     SketchCurveOptions options;
     std::shared_ptr<const Curve> start;  ///< see CurveInputs::start; null: from scratch
     /// A curve along this line is asked for, see CurveDesigner::fit(), in place of one through the

@@ -312,15 +312,13 @@ void DrawingSession::setCorner(int pick, bool isCorner) {
     if (sketch_.activeCurve()->picks[pick].isCorner != isCorner) {
         SketchPick& changedPick = changed().picks[pick];
         changedPick.isCorner = isCorner;
-        if (isCorner) {
-            changedPick.tangent = Vec3::Zero();
-        }
+        changedPick.tangent = {};
         sketch_.selected = pick;
         enter();
     }
 }
 
-void DrawingSession::setTangent(int pick, const Vec3& tangent) {
+void DrawingSession::setTangent(int pick, const PickTangent& tangent) {
     requirePick(pick);
     if (!staysWithoutDrag()) {
         return;
@@ -329,7 +327,7 @@ void DrawingSession::setTangent(int pick, const Vec3& tangent) {
     if (sketch_.activeCurve()->picks[pick].tangent != tangent) {
         SketchPick& changedPick = changed().picks[pick];
         changedPick.tangent = tangent;
-        changedPick.isCorner = changedPick.isCorner && tangent.isZero(0.0);
+        changedPick.isCorner = tangent.isAny() ? changedPick.isCorner : !tangent.isOne();
         sketch_.selected = pick;
         enter();
     }

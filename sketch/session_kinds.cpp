@@ -14,17 +14,20 @@ namespace bspline_curve {
 
 namespace {
 
-/// The direction of a curve at one of its picks; zero where it is not known.
-Vec3 directionAt(const SketchCurve& curve, int pick) {
+/// The directions of a curve at one of its picks; zero where they are not known.
+PickTangent directionsAt(const SketchCurve& curve, int pick) {
     const auto count = static_cast<int>(curve.picks.size());
     if (curve.settled && std::ssize(curve.settled->spline.pickParameters) == count) {
-        const SplineData& spline = curve.settled->spline;
-        return derivativeOf(spline, spline.pickParameters[pick]);
+        return directionsAtPick(curve.settled->spline, pick);
     }
     const bool closed = curve.options.solver.closed;
     const int before = closed ? (pick + count - 1) % count : std::max(pick - 1, 0);
     const int after = closed ? (pick + 1) % count : std::min(pick + 1, count - 1);
-    return curve.picks[after].position - curve.picks[before].position;
+    return PickTangent::along(curve.picks[after].position - curve.picks[before].position);
+}
+
+Vec3 alongPlane(const Vec3& direction, const Vec3& normal) {
+    return (direction - direction.dot(normal) * normal).normalized();
 }
 
 }  // namespace
@@ -37,18 +40,21 @@ void DrawingSession::setKind(int pick, PickKind kind) {
             if (curve.picks[pick].isCorner) {
                 setCorner(pick, false);
             } else {
-                setTangent(pick, Vec3::Zero());
+                setTangent(pick, {});
             }
             break;
         case PickKind::Aligned:
-            if (curve.picks[pick].tangent.isZero(0.0)) {
+            if (kindOf(curve.picks[pick]) != PickKind::Aligned) {
                 const Vec3 normal = normalAt(curve.picks[pick].point);
-                const Vec3 along = directionAt(curve, pick);
-                setTangent(pick, (along - along.dot(normal) * normal).normalized());
+                const Vec3 along = directionsAt(curve, pick).after;
+                setTangent(pick, PickTangent::along(alongPlane(along, normal)));
             }
             break;
         case PickKind::Corner:
             setCorner(pick, true);
+            break;
+        case PickKind::Free:
+            setFree(pick);
             break;
     }
 }
@@ -66,10 +72,27 @@ bool DrawingSession::changeKind() {
             setKind(pick, PickKind::Corner);
             break;
         case PickKind::Corner:
+            setKind(pick, PickKind::Free);
+            break;
+        case PickKind::Free:
             setKind(pick, PickKind::Automatic);
             break;
     }
     return true;
+}
+
+void DrawingSession::setFree(int pick) {
+    const SketchCurve& curve = *sketch_.activeCurve();
+    const Vec3 normal = normalAt(curve.picks[pick].point);
+    const PickTangent along = directionsAt(curve, pick);
+    if (!staysWithoutDrag() || kindOf(sketch_.activeCurve()->picks[pick]) == PickKind::Free) {
+        return;
+    }
+    SketchPick& changedPick = changed().picks[pick];
+    changedPick.isCorner = true;
+    changedPick.tangent = {alongPlane(along.before, normal), alongPlane(along.after, normal)};
+    sketch_.selected = pick;
+    enter();
 }
 
 Vec3 DrawingSession::normalAt(const SurfacePoint& point) const {
@@ -99,9 +122,9 @@ bool DrawingSession::pressHandle(const Pointer& pointer, const Seen& seen) {
     if (turning_ == 0) {
         return false;
     }
-    pressedAt_ = tangentHandle(
-        sketch_.activeCurve()->picks[sketch_.selected], turning_, pointer, settings_.handlePixels
-    );
+    const SketchPick& pick = sketch_.activeCurve()->picks[sketch_.selected];
+    pressedAt_ =
+        tangentHandle(pick, turning_, pointer, settings_.handlePixels).value_or(pick.position);
     closesOnRelease_ = false;
     mode_ = Mode::Pressed;
     dropLive();
@@ -111,7 +134,14 @@ bool DrawingSession::pressHandle(const Pointer& pointer, const Seen& seen) {
 void DrawingSession::turn(const Pointer& pointer) {
     const SketchPick& pick = sketch_.activeCurve()->picks[sketch_.selected];
     if (const auto direction = directionTowards(pointer, pick, normalAt(pick.point))) {
-        changed().picks[sketch_.selected].tangent = turning_ * *direction;
+        SketchPick& changedPick = changed().picks[sketch_.selected];
+        const PickTangent turned = PickTangent::along(turning_ * *direction);
+        PickTangent& tangent = changedPick.tangent;
+        if (!changedPick.isCorner) {
+            tangent = turned;
+        } else {
+            (turning_ > 0 ? tangent.after : tangent.before) = turned.after;
+        }
         askLive();
     }
 }

@@ -33,9 +33,9 @@ void DrawingSession::askPreview(const SurfacePoint& point) {
     const SketchCurve& curve = *sketch_.activeCurve();
     std::vector<Vec3> picks = curve.positions();
     picks.push_back(pickAt(point).position);
-    std::vector<Vec3> tangents = curve.tangents();
+    std::vector<PickTangent> tangents = curve.tangents();
     if (!tangents.empty()) {
-        tangents.emplace_back(Vec3::Zero());
+        tangents.emplace_back();
     }
     solver_->worker.askLive(
         {ask(Asking::Preview, nullptr),

@@ -28,13 +28,13 @@ std::vector<int> SketchCurve::corners() const {
     return indicesWhere<int>(picks.size(), [this](std::size_t i) { return picks[i].isCorner; });
 }
 
-std::vector<Vec3> SketchCurve::tangents() const {
-    std::vector<Vec3> tangents;
+std::vector<PickTangent> SketchCurve::tangents() const {
+    std::vector<PickTangent> tangents;
     for (const SketchPick& pick : picks) {
         tangents.push_back(pick.tangent);
     }
-    const bool isAny = std::ranges::any_of(tangents, [](const Vec3& t) { return !t.isZero(0.0); });
-    return isAny ? tangents : std::vector<Vec3>();
+    const bool areAny = std::ranges::all_of(tangents, &PickTangent::isAny);
+    return areAny ? std::vector<PickTangent>() : tangents;
 }
 
 std::vector<Vec3> SketchCurve::shownPoints() const {

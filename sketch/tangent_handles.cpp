@@ -20,23 +20,29 @@ double depthOf(const Pointer& pointer, const Vec3& point) {
 
 }  // namespace
 
-Vec3 tangentHandle(const SketchPick& pick, int side, const Pointer& pointer, double pixels) {
+std::optional<Vec3> tangentHandle(
+    const SketchPick& pick, int side, const Pointer& pointer, double pixels
+) {
+    const Vec3& tangent = side > 0 ? pick.tangent.after : pick.tangent.before;
+    if (tangent.isZero(0.0)) {
+        return std::nullopt;
+    }
     const double reach = pixels * pointer.pixelAt(depthOf(pointer, pick.position));
-    return pick.position + side * reach * pick.tangent.normalized();
+    return pick.position + side * reach * tangent.normalized();
 }
 
 int tangentHandleUnder(
     const Pointer& pointer, double depth, const SketchPick& pick, double pixels, double radius
 ) {
-    if (pick.tangent.isZero(0.0)) {
-        return 0;
-    }
     int under = 0;
     double least = radius;
     for (const int side : {1, -1}) {
-        const Vec3 handle = tangentHandle(pick, side, pointer, pixels);
-        const double along = depthOf(pointer, handle);
-        const Vec3 beside = handle - pointer.start - along * pointer.direction;
+        const std::optional<Vec3> handle = tangentHandle(pick, side, pointer, pixels);
+        if (!handle) {
+            continue;
+        }
+        const double along = depthOf(pointer, *handle);
+        const Vec3 beside = *handle - pointer.start - along * pointer.direction;
         const double apart = beside.norm() / pointer.pixelAt(along);
         if (along > 0.0 && along <= depth + pixels * pointer.pixelAt(along) && apart < least) {
             least = apart;

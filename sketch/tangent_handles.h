@@ -10,8 +10,8 @@
 namespace bspline_curve {
 
 /// Where a handle is: `pixels` from its pick as the pointer's viewer sees them, were the tangent
-/// seen from the side. `side`: 1 ahead, -1 behind. Expects a tangent.
-[[nodiscard]] Vec3 tangentHandle(
+/// seen from the side. `side`: 1 ahead, -1 behind. None where that side has no direction.
+[[nodiscard]] std::optional<Vec3> tangentHandle(
     const SketchPick& pick, int side, const Pointer& pointer, double pixels
 );
 

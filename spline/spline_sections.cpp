@@ -13,6 +13,11 @@ namespace bspline_curve {
 
 namespace {
 
+bool isCornerAt(const SplineData& spline, double t) {
+    const bool isEnd = !spline.closed && (t <= 0.0 || t >= 1.0);
+    return spline.degree > 1 && !isEnd && std::ranges::count(spline.knots, t) >= spline.degree;
+}
+
 std::ptrdiff_t floorOfRatio(std::ptrdiff_t a, std::ptrdiff_t b) {
     return a >= 0 ? a / b : -((b - 1 - a) / b);
 }
@@ -219,20 +224,37 @@ std::vector<SplineSection> sectionsOf(const SplineData& spline) {
 }
 
 std::vector<int> cornersOf(const SplineData& spline) {
-    const auto isCorner = [&](double t) {
-        const bool isEnd = !spline.closed && (t <= 0.0 || t >= 1.0);
-        return !isEnd && std::ranges::count(spline.knots, t) >= spline.degree;
-    };
     return indicesWhere<int>(spline.pickParameters.size(), [&](std::size_t i) {
-        return spline.degree > 1 && isCorner(spline.pickParameters[i]);
+        return isCornerAt(spline, spline.pickParameters[i]);
     });
 }
 
-std::vector<std::pair<int, Vec3>> tangentsAtPicks(const Curve& curve) {
-    std::vector<std::pair<int, Vec3>> tangents;
+PickTangent directionsAtPick(const SplineData& spline, int pick) {
+    const double t = spline.pickParameters[pick];
+    PickTangent tangent = PickTangent::along(derivativeOf(spline, t).normalized());
+    if (isCornerAt(spline, t)) {
+        const double end = t > 0.0 ? t : 1.0;
+        for (const BezierPiece& piece : bezierPieces(spline)) {
+            if (piece.to == end) {
+                const std::vector<Vec3>& points = piece.controlPoints;
+                tangent.before = (points.back() - points[points.size() - 2]).normalized();
+            }
+        }
+    }
+    return tangent;
+}
+
+std::vector<std::pair<int, PickTangent>> tangentsAtPicks(const Curve& curve) {
+    std::vector<std::pair<int, PickTangent>> tangents;
     for (const MetTangent& met : curve.report.tangents) {
-        const double t = curve.spline.pickParameters[met.pick];
-        tangents.emplace_back(met.pick, derivativeOf(curve.spline, t).normalized());
+        PickTangent tangent = directionsAtPick(curve.spline, met.pick);
+        if (!met.isBefore) {
+            tangent.before.setZero();
+        }
+        if (!met.isAfter) {
+            tangent.after.setZero();
+        }
+        tangents.emplace_back(met.pick, tangent);
     }
     return tangents;
 }

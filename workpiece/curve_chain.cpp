@@ -121,9 +121,9 @@ Curve drawnBetween(
 ) {
     SolverOptions options;
     options.degree = asked.degree == 1 ? 3 : asked.degree;
-    std::vector<Vec3> tangents(asked.picks.size(), Vec3::Zero());
-    tangents.front() = asked.first;
-    tangents.back() = asked.last;
+    std::vector<PickTangent> tangents(asked.picks.size());
+    tangents.front() = PickTangent::along(asked.first);
+    tangents.back() = PickTangent::along(asked.last);
     CurveInputs inputs;
     inputs.tangents = tangents;
     Curve curve = workpiece.draw(asked.picks, options, {}, inputs, progress).curve;

@@ -15,6 +15,7 @@ namespace {
 
 constexpr std::string_view kBlanks = " \t";
 constexpr std::string_view kBetweenNumbers = ", \t";
+constexpr std::string_view kAny = "any";
 
 class DirectionsParser {
 public:
@@ -27,16 +28,15 @@ public:
             const int pick = number<int>();
             skip(kBlanks);
             take(':');
-            Vec3 direction;
-            for (double& coordinate : direction) {
-                skip(kBetweenNumbers);
-                coordinate = number<double>();
+            PickTangent tangent = PickTangent::along(direction());
+            if (has('/')) {
+                take('/');
+                tangent.after = direction();
             }
-            if (pick < 1 || !direction.allFinite() || direction.isZero(0.0)) {
+            if (pick < 1 || tangent.isAny()) {
                 refuse();
             }
-            directions.entries.emplace_back(pick - 1, direction);
-            skip(kBlanks);
+            directions.entries.emplace_back(pick - 1, tangent);
             if (!rest_.empty()) {
                 take(';');
             }
@@ -49,16 +49,37 @@ private:
         throw InputError(
             InputErrorCode::BadOption,
             name_ + " is \"" + text_ +
-                R"(", but must be a pick's number, from 1, and a direction that is not zero, as "1: 1, 0, 0; 4: 0, 1, 0")"
+                R"(", but must be a pick's number, from 1, and a direction that is not zero, as "1: 1, 0, 0; 4: 0, 1, 0"; of a corner two, as "2: 1, 0, 0 / 0, 1, 0")"
         );
     }
+
+    /// Zero: any.
+    Vec3 direction() {
+        skip(kBlanks);
+        Vec3 direction = Vec3::Zero();
+        if (rest_.starts_with(kAny)) {
+            rest_.remove_prefix(kAny.size());
+        } else {
+            for (double& coordinate : direction) {
+                skip(kBetweenNumbers);
+                coordinate = number<double>();
+            }
+            if (!direction.allFinite() || direction.isZero(0.0)) {
+                refuse();
+            }
+        }
+        skip(kBlanks);
+        return direction;
+    }
+
+    [[nodiscard]] bool has(char letter) const { return rest_.starts_with(letter); }
 
     void skip(std::string_view letters) {
         rest_.remove_prefix(std::min(rest_.find_first_not_of(letters), rest_.size()));
     }
 
     void take(char letter) {
-        if (rest_.empty() || rest_.front() != letter) {
+        if (!has(letter)) {
             refuse();
         }
         rest_.remove_prefix(1);
@@ -88,13 +109,20 @@ std::string shortest(double value) {
     return {letters.data(), end};
 }
 
+std::string describe(const Vec3& direction) {
+    if (direction.isZero(0.0)) {
+        return std::string(kAny);
+    }
+    return shortest(direction.x()) + "," + shortest(direction.y()) + "," + shortest(direction.z());
+}
+
 }  // namespace
 
-std::vector<Vec3> PickDirections::of(std::size_t count) const {
+std::vector<PickTangent> PickDirections::of(std::size_t count) const {
     if (entries.empty()) {
         return {};
     }
-    std::vector<Vec3> directions(count, Vec3::Zero());
+    std::vector<PickTangent> directions(count);
     for (const auto& [pick, direction] : entries) {
         if (pick < 0 || pick >= static_cast<int>(count)) {
             throw InputError(
@@ -115,10 +143,11 @@ PickDirections parsePickDirections(const std::string& text, const std::string& n
 
 std::string describe(const PickDirections& directions) {
     std::string text;
-    for (const auto& [pick, direction] : directions.entries) {
+    for (const auto& [pick, tangent] : directions.entries) {
         text.append(text.empty() ? "" : ";").append(std::to_string(pick + 1)).append(":");
-        for (int k = 0; k < 3; ++k) {
-            text.append(k > 0 ? "," : "").append(shortest(direction[k]));
+        text.append(describe(tangent.before));
+        if (!tangent.isOne()) {
+            text.append("/").append(describe(tangent.after));
         }
     }
     return text;

@@ -142,7 +142,7 @@ DesignedCurve Workpiece::draw(
         curveGuides(with, *parts_->surface, options, partOf(progress, 0.0, kFieldShare));
     const double fieldSeconds = watch.lap();
     const std::vector<int> corners = options.corners.of(picks.size());
-    const std::vector<Vec3> tangents = options.tangents.of(picks.size());
+    const std::vector<PickTangent> tangents = options.tangents.of(picks.size());
     const std::vector<MeshLength> tolerances = options.pickTolerances.within(picks.size());
     const std::vector<double> weights = options.pickTolerances.weights(picks.size());
     DesignedCurve drawn = draw(

@@ -69,6 +69,9 @@ QString wordsForKind(const SketchCurve& curve, int pick) {
             return QObject::tr(" Pick %1 has a direction: drag its handles.").arg(pick + 1);
         case PickKind::Corner:
             return QObject::tr(" Pick %1 is a corner.").arg(pick + 1);
+        case PickKind::Free:
+            return QObject::tr(" Pick %1 is a corner with two directions: drag its handles.")
+                .arg(pick + 1);
         case PickKind::Automatic:
             break;
     }

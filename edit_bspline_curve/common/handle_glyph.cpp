@@ -105,16 +105,13 @@ void addHandle(
 }
 
 void addDirection(
-    ScreenBatch& batch, const ScreenNode& ahead, const ScreenNode& behind, int hovered, double ratio
+    ScreenBatch& batch, const ScreenNode& pick, const ScreenNode& end, bool isHovered, double ratio
 ) {
     ScreenLine line;
-    line.nodes = {behind, ahead};
+    line.nodes = {pick, end};
     LineStyle(kSelected, kDirectionWidths, ratio).addLine(batch, line);
-    for (const auto& [node, side] : {std::pair(ahead, 1), std::pair(behind, -1)}) {
-        const bool isHovered = side == hovered;
-        const double disc = ratio * kDirectionDisc * (isHovered ? kLarger : 1.0);
-        addRimmedDisc(batch, node, disc, isHovered ? kHovered : kSelected, ratio);
-    }
+    const double disc = ratio * kDirectionDisc * (isHovered ? kLarger : 1.0);
+    addRimmedDisc(batch, end, disc, isHovered ? kHovered : kSelected, ratio);
 }
 
 void addHandleNumber(

@@ -17,10 +17,9 @@ struct HandleState {
 /// square.
 void addHandle(ScreenBatch& batch, const ScreenNode& place, const HandleState& state, double ratio);
 
-/// The two handles of a pick's direction: smaller discs at the ends of a line through it.
-/// `hovered`: of which the pointer is over one, 1 ahead, -1 behind; else 0.
+/// The handle of a pick's direction: a smaller disc at the end of a line from it.
 void addDirection(
-    ScreenBatch& batch, const ScreenNode& ahead, const ScreenNode& behind, int hovered, double ratio
+    ScreenBatch& batch, const ScreenNode& pick, const ScreenNode& end, bool isHovered, double ratio
 );
 
 /// The number of a pick beside its handle. `direction`: where, unit length.

@@ -53,8 +53,8 @@ std::optional<DrawnCurve> reopened(
     for (const int corner : source->corners) {
         curve.picks[corner].isCorner = true;
     }
-    for (const auto& [pick, direction] : source->tangents) {
-        curve.picks[pick].tangent = direction;
+    for (const auto& [pick, tangent] : source->tangents) {
+        curve.picks[pick].tangent = tangent;
     }
     curve.options = *source->options;
     curve.options.closed = source->closed;

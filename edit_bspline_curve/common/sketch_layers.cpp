@@ -221,7 +221,7 @@ RichParameterList SketchLayers::parametersOf(
     set("corners", describe(PickChoice{.ids = curve.corners()}));
     PickDirections tangents;
     for (std::size_t i = 0; i < curve.picks.size(); ++i) {
-        if (!curve.picks[i].tangent.isZero(0.0)) {
+        if (!curve.picks[i].tangent.isAny()) {
             tangents.entries.emplace_back(static_cast<int>(i), curve.picks[i].tangent);
         }
     }

@@ -260,25 +260,18 @@ private:
             return;
         }
         const SketchPick& pick = session_.sketch().activeCurve()->picks[selected];
-        if (pick.tangent.isZero(0.0)) {
-            return;
-        }
+        const Vec3 normal = normalAt(pick.point);
         const Pointer pointer = view_.pointerAt(view_.positionOf(pick.position));
-        const auto nodeAt = [&](int side) {
-            return projection_.node(
-                tangentHandle(pick, side, pointer, session_.handlePixels()), normalAt(pick.point)
-            );
-        };
-        const auto ahead = nodeAt(1);
-        const auto behind = nodeAt(-1);
-        if (ahead && behind) {
-            addDirection(
-                isHidden(pick) ? hidden : shown,
-                *ahead,
-                *behind,
-                session_.hovered().handle,
-                view_.ratio()
-            );
+        const auto middle = projection_.node(pick.position, normal);
+        for (const int side : {1, -1}) {
+            const auto handle = tangentHandle(pick, side, pointer, session_.handlePixels());
+            const auto end = handle ? projection_.node(*handle, normal) : std::nullopt;
+            if (middle && end) {
+                const bool isHovered = session_.hovered().handle == side;
+                addDirection(
+                    isHidden(pick) ? hidden : shown, *middle, *end, isHovered, view_.ratio()
+                );
+            }
         }
     }
 

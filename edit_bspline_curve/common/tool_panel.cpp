@@ -119,8 +119,7 @@ void ToolPanel::addModes(QVBoxLayout& all) {
     auto* const kind = keyButton(
         tr("Kind"),
         tr("T: the curve passes the selected pick smoothly; in a direction, which two handles "
-           "turn; "
-           "or at a corner"),
+           "turn; at a corner; or at a corner with a direction on either side, each with a handle"),
         SketchKey::Kind
     );
     all.addLayout(rowOf({turn_, magnet_, kind}));

@@ -87,9 +87,13 @@ std::vector<SketchPick> picksInLayer(
         pick.isCorner = contains(source.corners, static_cast<int>(i));
         picks.push_back(pick);
     }
-    for (const auto& [pick, direction] : source.tangents) {
-        const Vec3 end = fromWorld.inDoubles(source.positions[pick] + direction);
-        picks[pick].tangent = end - picks[pick].position;
+    for (const auto& [pick, tangent] : source.tangents) {
+        const auto inLayer = [&, pick = pick](const Vec3& direction) {
+            return Vec3(
+                fromWorld.inDoubles(source.positions[pick] + direction) - picks[pick].position
+            );
+        };
+        picks[pick].tangent = {inLayer(tangent.before), inLayer(tangent.after)};
     }
     return picks;
 }

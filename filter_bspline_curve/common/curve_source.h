@@ -18,11 +18,11 @@ namespace bspline_curve {
 
 /// What a curve was drawn from. Its layer keeps it, so that it can be drawn again.
 struct CurveSource {
-    int surface = -1;                            ///< id of the surface's layer
-    std::vector<SurfacePoint> picks;             ///< faces are those of that layer
-    std::vector<Vec3> positions;                 ///< of the picks, in world coordinates
-    std::vector<int> corners;                    ///< picks that are corners
-    std::vector<std::pair<int, Vec3>> tangents;  ///< of picks, in world coordinates
+    int surface = -1;                                   ///< id of the surface's layer
+    std::vector<SurfacePoint> picks;                    ///< faces are those of that layer
+    std::vector<Vec3> positions;                        ///< of the picks, in world coordinates
+    std::vector<int> corners;                           ///< picks that are corners
+    std::vector<std::pair<int, PickTangent>> tangents;  ///< of picks, in world coordinates
     bool closed = false;
     std::optional<DrawnOptions> options;  ///< none: more was asked for than these can say
     /// In world coordinates, with faces of the arrays of that layer. Null: it is not known.

@@ -120,19 +120,24 @@ private:
     }
 
     /// `pick`: the last of the source's. `tangent`: its own, in world coordinates.
-    static void addDemands(const SketchPick& pick, const Vec3& tangent, CurveSource& source) {
+    static void addDemands(
+        const SketchPick& pick, const PickTangent& tangent, CurveSource& source
+    ) {
         const int index = static_cast<int>(source.positions.size()) - 1;
         if (pick.isCorner) {
             source.corners.push_back(index);
         }
-        if (!tangent.isZero(0.0)) {
+        if (!tangent.isAny()) {
             source.tangents.emplace_back(index, tangent);
         }
     }
 
-    /// The direction of a pick that is still in the layer's coordinates.
-    static Vec3 inWorld(const ToWorld& toWorld, const SketchPick& pick) {
-        return toWorld(pick.position + pick.tangent) - toWorld(pick.position);
+    /// The directions of a pick that is still in the layer's coordinates.
+    static PickTangent inWorld(const ToWorld& toWorld, const SketchPick& pick) {
+        const auto moved = [&](const Vec3& direction) {
+            return Vec3(toWorld(pick.position + direction) - toWorld(pick.position));
+        };
+        return {moved(pick.tangent.before), moved(pick.tangent.after)};
     }
 
     [[nodiscard]] Vec3 worldPosition(const LayerArrays& arrays, const SurfacePoint& point) const {

@@ -21,6 +21,7 @@
 #include "bspline_curve/shell.h"
 #include "bspline_curve/sketch.h"
 #include "bspline_curve/spline.h"
+#include "bspline_curve/tangent.h"
 #include "bspline_curve/version.h"
 #include "bspline_curve/workpiece.h"
 #if __has_include("bspline_curve/files.h")  // not where the library was built without files

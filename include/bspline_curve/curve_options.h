@@ -5,6 +5,7 @@
 #include "bspline_curve/mesh.h"
 #include "bspline_curve/options.h"
 #include "bspline_curve/shell.h"
+#include "bspline_curve/tangent.h"
 
 #include <cstddef>
 #include <optional>
@@ -74,11 +75,11 @@ struct PickChoice {
 
 /// Directions of some picks.
 struct PickDirections {
-    std::vector<std::pair<int, Vec3>> entries{};  ///< ids of picks, from 0
+    std::vector<std::pair<int, PickTangent>> entries{};  ///< ids of picks, from 0
 
     /// One for each of so many picks, see CurveInputs::tangents; empty where there are none. Throws
     /// InputError (BadOption) where a pick is not there.
-    [[nodiscard]] std::vector<Vec3> of(std::size_t count) const;
+    [[nodiscard]] std::vector<PickTangent> of(std::size_t count) const;
 
     friend bool operator==(const PickDirections&, const PickDirections&) = default;
 };
@@ -111,6 +112,7 @@ struct PickTolerances {
 [[nodiscard]] std::string describe(const PickChoice& choice);
 
 /// "1: 1, 0, 0; 4: 0 1 0": picks counted from 1, and a vector that is not zero for each; "": none.
+/// Of a corner two, before it and after it: "2: 1, 0, 0 / 0, 1, 0"; "any" in place of one of them.
 /// Throws InputError (BadOption) naming what is none of these; `name`: of the option.
 [[nodiscard]] PickDirections parsePickDirections(const std::string& text, const std::string& name);
 

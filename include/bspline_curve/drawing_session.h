@@ -108,7 +108,8 @@ struct SessionSettings {
 /// on the first pick of an open curve closes it, one on another curve makes that the active one.
 /// Each drag and each click is one entry of the history.
 ///
-/// A selected pick with a direction has a handle on either side; to drag one turns the direction.
+/// A selected pick with a direction has a handle on either side; to drag one turns the direction,
+/// at a corner that of its side.
 ///
 /// A drag with Pointer::strokes draws freehand: the line becomes a curve of few picks along it
 /// (Workpiece::fit()), closed where it ends where it began. A line from a curve to the same
@@ -142,12 +143,14 @@ public:
     void insertPick(int after, const SurfacePoint& point);
     void movePick(int pick, const SurfacePoint& point);
     void removePick(int pick);
-    /// Whether the curve may turn at a pick, see CurveInputs::corners.
+    /// Whether the curve may turn at a pick, see CurveInputs::corners. Where that changes, the pick
+    /// loses its tangent.
     void setCorner(int pick, bool isCorner);
-    /// The direction in which the curve passes a pick, see CurveInputs::tangents; zero: any. A pick
-    /// inside the curve with one is no corner, and a corner has none.
-    void setTangent(int pick, const Vec3& tangent);
-    /// The same as one choice; PickKind::Aligned takes the direction that the curve has there.
+    /// The direction in which the curve passes a pick, see CurveInputs::tangents. A pick with the
+    /// same on both sides is no corner, one with two is.
+    void setTangent(int pick, const PickTangent& tangent);
+    /// The same as one choice; PickKind::Aligned and PickKind::Free take the directions that the
+    /// curve has there.
     void setKind(int pick, PickKind kind);
     void select(int curve, int pick = -1);
     void setClosed(bool closed);
@@ -262,6 +265,7 @@ private:
 
     // Kinds of picks, and handles.
     bool changeKind();
+    void setFree(int pick);
     [[nodiscard]] Vec3 normalAt(const SurfacePoint& point) const;
     [[nodiscard]] int handleUnder(const Pointer& pointer, const Seen& seen) const;
     bool pressHandle(const Pointer& pointer, const Seen& seen);

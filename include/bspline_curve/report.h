@@ -71,10 +71,12 @@ struct Detour {
     Round round = Round::Guides;
 };
 
-/// How well a curve has the direction that was asked for at a pick, in radians.
+/// How well a curve has the direction that was asked for at a pick, in radians; at a corner, the
+/// larger angle of the directions that were.
 struct MetTangent {
     int pick = 0;
-    double ofSpline = 0.0;    ///< the angle between the direction and P'
+    bool isBefore = true, isAfter = true;  ///< the sides of a corner that have one
+    double ofSpline = 0.0;                 ///< the angle between the direction and P'
     double ofPolyline = 0.0;  ///< the larger one of those of the segments beside the pick, seen
                               ///< along the normal: they are chords
 };

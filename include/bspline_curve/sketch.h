@@ -7,6 +7,7 @@
 #include "bspline_curve/mesh.h"
 #include "bspline_curve/options.h"
 #include "bspline_curve/progress.h"
+#include "bspline_curve/tangent.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -51,21 +52,22 @@ struct SketchPick {
     SurfacePoint point;
     Vec3 position = Vec3::Zero();  ///< of the point, user's unit
     bool isCorner = false;         ///< see CurveInputs::corners
-    Vec3 tangent = Vec3::Zero();   ///< see CurveInputs::tangents; zero: any direction
+    PickTangent tangent{};         ///< see CurveInputs::tangents
 };
 
 /// How a curve passes a pick.
 enum class PickKind {
     Automatic,  ///< smoothly, in the direction that is fairest
     Aligned,    ///< smoothly, in a direction of its own
-    Corner      ///< it may turn there
+    Corner,     ///< it may turn there
+    Free        ///< a corner with directions of its own on either side
 };
 
 [[nodiscard]] inline PickKind kindOf(const SketchPick& pick) {
     if (pick.isCorner) {
-        return PickKind::Corner;
+        return pick.tangent.isAny() ? PickKind::Corner : PickKind::Free;
     }
-    return pick.tangent.isZero(0.0) ? PickKind::Automatic : PickKind::Aligned;
+    return pick.tangent.isAny() ? PickKind::Automatic : PickKind::Aligned;
 }
 
 /// Why a curve is not what its picks ask for.
@@ -117,7 +119,7 @@ struct SketchCurve {
     /// Picks that are corners.
     [[nodiscard]] std::vector<int> corners() const;
     /// Of each pick, see CurveInputs::tangents; empty: no pick has any.
-    [[nodiscard]] std::vector<Vec3> tangents() const;
+    [[nodiscard]] std::vector<PickTangent> tangents() const;
 
     /// The polyline to be shown: the settled one; else the last one, displaced with its picks where
     /// there are as many. Empty where there is none.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bspline_curve/curve.h"
+#include "bspline_curve/tangent.h"
 
 #include <utility>
 #include <vector>
@@ -47,9 +48,13 @@ struct BezierPiece {
 /// Picks that are corners, by the knots at their parameters; ascending.
 [[nodiscard]] std::vector<int> cornersOf(const SplineData& spline);
 
+/// The directions in which a spline comes to a pick and goes on, of unit length: at a corner two,
+/// elsewhere the same. O(n).
+[[nodiscard]] PickTangent directionsAtPick(const SplineData& spline, int pick);
+
 /// Of the picks at which the curve was asked to have a direction (SolveReport::tangents), that of
 /// its spline, of unit length.
-[[nodiscard]] std::vector<std::pair<int, Vec3>> tangentsAtPicks(const Curve& curve);
+[[nodiscard]] std::vector<std::pair<int, PickTangent>> tangentsAtPicks(const Curve& curve);
 
 /// The polyline as a spline of degree 1: its vertices are the control points, its t the knots.
 [[nodiscard]] SplineData polygonSpline(const SurfacePolyline& line);

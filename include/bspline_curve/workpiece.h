@@ -10,6 +10,7 @@
 #include "bspline_curve/progress.h"
 #include "bspline_curve/repair.h"
 #include "bspline_curve/shell.h"
+#include "bspline_curve/tangent.h"
 
 #include <memory>
 #include <span>
@@ -35,12 +36,12 @@ struct CurveInputs {
     /// spline has knots there whose multiplicity is the degree. Without effect at the ends of an
     /// open curve.
     std::span<const int> corners{};
-    /// Of each pick the direction in which the curve passes it, in any length, as its part along
-    /// the surface: in the plane whose normal is the mean of the faces' normals there. Zero: any
-    /// direction; empty: none is given. The pick is passed whatever its tolerance, and is no
-    /// corner. For Interpolation::Constraint and InitialCurve::GeodesicFit. SolveReport::tangents
-    /// tells how well they are met.
-    std::span<const Vec3> tangents{};
+    /// Of each pick the direction in which the curve passes it; of a corner that in which it comes
+    /// and that in which it goes on. Empty: none is given. The pick is passed whatever its
+    /// tolerance. Of the ends of an open curve the side that there is counts. For
+    /// Interpolation::Constraint and InitialCurve::GeodesicFit. SolveReport::tangents tells how
+    /// well they are met.
+    std::span<const PickTangent> tangents{};
     /// A curve on the same workpiece through as many picks, each near the one of now, as while a
     /// user drags a pick. The solver then starts from that curve, displaced with its picks, which
     /// takes six tenths of the time on average; the result bends as much as one from scratch. Has

@@ -19,13 +19,26 @@ from ._errors import FileError
 from ._identity import require_mesh
 from ._keywords import CURVE
 from ._mesh import Mesh
-from ._options import changed
+from ._options import Direction, TwoDirections, changed
 
 if TYPE_CHECKING:
     from pathlib import Path
 
 # A file's points may be those of the mesh to rounding, relative to its diagonal.
 SAME_PLACE = 1e-9
+
+
+def _written_tangent(pick: int, tangent: Direction | TwoDirections) -> dict[str, Any]:
+    if len(tangent) == 3:
+        return {"pick": pick, "direction": list(tangent)}
+    sides = zip(("before", "after"), tangent)
+    return {"pick": pick, **{name: list(side) for name, side in sides if side is not None}}
+
+
+def _read_tangent(written: dict[str, Any]) -> tuple[int, Any]:
+    if "direction" in written:
+        return written["pick"], written["direction"]
+    return written["pick"], (written.get("before"), written.get("after"))
 
 
 def document_of(curve: Curve) -> dict[str, Any]:
@@ -41,7 +54,7 @@ def document_of(curve: Curve) -> dict[str, Any]:
     if made is not None:
         polyline["quality"] = curve.values.tolist()
     asked: Any = drawing.options.get("tangents", ())
-    tangents = [{"pick": pick, "direction": list(direction)} for pick, direction in asked]
+    tangents = [_written_tangent(pick, direction) for pick, direction in asked]
     return {
         "closed": curve.closed,
         **({"tangents": tangents} if tangents else {}),
@@ -219,7 +232,7 @@ def parts_of(document: Any, mesh: Mesh, path: Path) -> tuple[Drawing, dict[str, 
             "alpha": told["rounds"][-1]["alpha"] if told.get("rounds") else 0.0,
         }
         picks = rows(drawn["picks"]) if drawn else state["points"][np.array(line["picks"], dtype=np.intp)]
-        tangents = [(each["pick"], each["direction"]) for each in document.get("tangents", ())]
+        tangents = [_read_tangent(each) for each in document.get("tangents", ())]
         of_spline = {"closed": document["closed"], "degree": spline["degree"], "corners": corners_of(spline), "tangents": tangents}
         options = drawn.get("options", of_spline)
         guides = {name: drawn.get(name) for name in ("field", "avoid", "quality", "field_region")}

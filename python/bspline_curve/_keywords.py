@@ -137,7 +137,7 @@ class CurveOptions(TypedDict, total=False):
     pick_tolerance: float | str | Sequence[float | str]
     pick_distance: float
     corners: Sequence[int] | Literal["all"]
-    tangents: Mapping[int, npt.ArrayLike] | None
+    tangents: Mapping[int, npt.ArrayLike | tuple[npt.ArrayLike | None, npt.ArrayLike | None]] | None
     field_cost: FieldCost
     avoid_threshold: float
     samples: int
@@ -284,7 +284,7 @@ class MeshKeywords(ABC):
         pick_tolerance: float | str | Sequence[float | str] = "0",
         pick_distance: float = 0.0,
         corners: Sequence[int] | Literal["all"] = (),
-        tangents: Mapping[int, npt.ArrayLike] | None = None,
+        tangents: Mapping[int, npt.ArrayLike | tuple[npt.ArrayLike | None, npt.ArrayLike | None]] | None = None,
         field_cost: FieldCost = "natural",
         avoid_threshold: float = 0.0,
         samples: int = 256,
@@ -359,9 +359,10 @@ class MeshKeywords(ABC):
         corners : sequence of int, or 'all', default ()
             Picks at which the curve turns, by their indices, or 'all'. It passes them, and is as fair as possible on either
             side.
-        tangents : mapping of int to (3,) arrays, optional
+        tangents : mapping of int to (3,) arrays, or pairs of these, optional
             Directions in which the curve passes picks, by their indices, as {0: (1, 0, 0)}. Their part along the surface
-            counts, not their length. Such picks are passed whatever their tolerance, and are no corners.
+            counts, not their length. Such picks are passed whatever their tolerance. A corner has two, before and after it:
+            {2: ((1, 0, 0), (0, 1, 0))}; None in place of one that is free.
         field_cost : {'natural', 'identity', 'square', 'exp-minus'}, default 'natural'
             What a value x of the field costs. natural: the cost of the field's kind: exp-minus for curvature, ridge and
             valley, square for normal variation and distances, else identity; identity: x; square: x^2; exp-minus: exp(-x),

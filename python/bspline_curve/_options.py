@@ -13,7 +13,9 @@ import numpy as np
 from ._errors import OptionError
 
 Progress: TypeAlias = Callable[[float, str], object]
-Tangents: TypeAlias = "tuple[tuple[int, tuple[float, float, float]], ...]"
+Direction: TypeAlias = "tuple[float, float, float]"
+TwoDirections: TypeAlias = "tuple[Direction | None, Direction | None]"  # before a corner, and after it
+Tangents: TypeAlias = "tuple[tuple[int, Direction | TwoDirections], ...]"
 Value: TypeAlias = "bool | int | float | str | tuple[int, ...] | tuple[str, ...] | Tangents | None"
 
 
@@ -120,7 +122,7 @@ def checked_picks(name: str, value: object) -> str | tuple[int, ...]:
 
 
 def checked_tangents(name: str, value: object) -> Tangents | None:
-    """Pairs of a pick's index and a direction, from such or from a mapping; None where there are none."""
+    """Pairs of a pick's index and a direction, or two of a corner, from such or from a mapping; None where there are none."""
     if value is None:
         return None
     if not isinstance(value, (Mapping, Sequence)) or isinstance(value, str):
@@ -128,16 +130,31 @@ def checked_tangents(name: str, value: object) -> Tangents | None:
     pairs = list(value.items()) if isinstance(value, Mapping) else [tuple(pair) for pair in value]
     checked = []
     for pick, given in pairs:
-        direction = np.asarray(given, dtype=np.float64)
-        if not isinstance(pick, Integral) or isinstance(pick, bool) or direction.shape != (3,):
+        if not isinstance(pick, Integral) or isinstance(pick, bool):
             raise TypeError(f"{name} has {pick!r}: {given!r}, but must have indices of picks and directions (x, y, z)")
         if pick < 0:
             raise OptionError(f"{name} has {pick}, but picks are counted from 0", "bad-option")
-        if not np.isfinite(direction).all() or not direction.any():
-            raise OptionError(f"{name} has {given!r}, but a direction is finite and not zero", "bad-option")
-        x, y, z = direction.tolist()
-        checked.append((int(pick), (x, y, z)))
-    return tuple(sorted(checked)) or None
+        checked.append((int(pick), _checked_tangent(name, given)))
+    return tuple(sorted(checked, key=lambda pair: pair[0])) or None
+
+
+def _checked_tangent(name: str, given: Any) -> Direction | TwoDirections:
+    if not isinstance(given, (Sequence, np.ndarray)) or isinstance(given, str) or len(given) != 2:
+        return _checked_direction(name, given)
+    before, after = (None if side is None else _checked_direction(name, side) for side in given)
+    if before is None and after is None:
+        raise OptionError(f"{name} has {given!r}, but one of the two is a direction", "bad-option")
+    return (before, after)
+
+
+def _checked_direction(name: str, given: Any) -> Direction:
+    direction = np.asarray(given, dtype=np.float64)
+    if direction.shape != (3,):
+        raise TypeError(f"{name} has {given!r}, but must have directions (x, y, z), or of a corner two, one of which can be None")
+    if not np.isfinite(direction).all() or not direction.any():
+        raise OptionError(f"{name} has {given!r}, but a direction is finite and not zero", "bad-option")
+    x, y, z = direction.tolist()
+    return (x, y, z)
 
 
 def allowed_range(option: Option) -> str:

@@ -10,7 +10,7 @@ import numpy as np
 from . import _core
 from ._drawing import Drawing
 from ._errors import InputError
-from ._options import Option, Progress, checked_length, checked_number
+from ._options import Direction, Option, Progress, TwoDirections, checked_length, checked_number
 
 if TYPE_CHECKING:
     from ._curve import Curve
@@ -35,7 +35,15 @@ def _turned(drawing: Drawing) -> Drawing:
     tangents: Any = drawing.options.get("tangents") or ()
     if not tangents:
         return drawing
-    other = tuple(sorted((pick, tuple(-x for x in direction)) for pick, direction in tangents))
+
+    def turned(tangent: Direction | TwoDirections) -> Direction | TwoDirections:
+        if len(tangent) == 3:
+            x, y, z = tangent
+            return (-x, -y, -z)
+        before, after = ((-side[0], -side[1], -side[2]) if side else None for side in tangent)
+        return (after, before)
+
+    other = tuple(sorted((pick, turned(direction)) for pick, direction in tangents))
     return drawing._replace(options={**drawing.options, "tangents": other})
 
 

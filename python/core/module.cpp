@@ -62,7 +62,7 @@ DesignedCurve draw(
     const std::vector<Vec3> through = toVectors(picks);
     const std::vector<int> avoided = toVector(avoid);
     const std::vector<int> corners = chosen.corners.of(through.size());
-    const std::vector<Vec3> tangents = chosen.tangents.of(through.size());
+    const std::vector<PickTangent> tangents = chosen.tangents.of(through.size());
     const std::vector<MeshLength> tolerances = chosen.pickTolerances.within(through.size());
     const std::vector<double> weights = chosen.pickTolerances.weights(through.size());
     const CurveInputs inputs{

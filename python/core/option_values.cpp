@@ -4,11 +4,14 @@
 #include "filters/option_bindings.h"
 
 #include <nanobind/stl/array.h>
+#include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
+#include <nanobind/stl/variant.h>
 #include <nanobind/stl/vector.h>
 
 #include <array>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -79,9 +82,19 @@ CurveOptions curveOptions(const nb::dict& values) {
     }
     if (values.contains("tangents")) {
         for (const nb::handle entry : values["tangents"]) {
-            const auto [pick, direction] = nb::cast<std::pair<int, std::array<double, 3>>>(entry);
+            // Of a corner two, or None.
+            using Direction = std::array<double, 3>;
+            using Two = std::pair<std::optional<Direction>, std::optional<Direction>>;
+            const auto [pick, given] =
+                nb::cast<std::pair<int, std::variant<Direction, Two>>>(entry);
+            const auto vectorOf = [](const std::optional<Direction>& d) {
+                return d ? Vec3((*d)[0], (*d)[1], (*d)[2]) : Vec3(Vec3::Zero());
+            };
+            const auto* const two = std::get_if<Two>(&given);
             options.tangents.entries.emplace_back(
-                pick, Vec3(direction[0], direction[1], direction[2])
+                pick,
+                two != nullptr ? PickTangent{vectorOf(two->first), vectorOf(two->second)}
+                               : PickTangent::along(vectorOf(std::get<Direction>(given)))
             );
         }
     }

@@ -153,7 +153,8 @@ def draw_curve(
         as possible on either side.
     tangents : str, optional
         Directions in which the curve passes picks, by their numbers from 1, as 1: 1, 0, 0; 4: 0, 1, 0. Their part along
-        the surface counts, not their length. Such picks are passed whatever their tolerance, and are no corners.
+        the surface counts, not their length. Such picks are passed whatever their tolerance. A corner has two, one
+        before and one after it, as 2: 1, 0, 0 / 0, 1, 0; any in place of one that is free.
     field_cost : {'natural', 'identity', 'square', 'exp-minus'}, default 'natural'
         What a value x of the field costs. natural: the cost of the field's kind: exp-minus for curvature, ridge and
         valley, square for normal variation and distances, else identity; identity: x; square: x^2; exp-minus: exp(-x),

@@ -163,7 +163,8 @@ def generate_bspline_curve_on_surface(
         as possible on either side.
     tangents : str, optional
         Directions in which the curve passes picks, by their numbers from 1, as 1: 1, 0, 0; 4: 0, 1, 0. Their part along
-        the surface counts, not their length. Such picks are passed whatever their tolerance, and are no corners.
+        the surface counts, not their length. Such picks are passed whatever their tolerance. A corner has two, one
+        before and one after it, as 2: 1, 0, 0 / 0, 1, 0; any in place of one that is free.
     picks_layer : int, optional
         A layer of points without faces; the curve passes through its vertices in their order. The surface itself
         (default): no layer of picks.

@@ -153,11 +153,28 @@ def test_a_curve_turns_at_its_corners_and_passes_picks_in_given_directions(run, 
         assert (spline["knots"].count(spline["pick_parameters"][1]) == 3) == (multiplicity == 3)
 
 
+def test_a_corner_can_have_a_direction_on_either_side(run, plate):
+    run.ok(*DEFAULT[:-1], "curve.json", "--corners", "2", "--tangents", "2: 1, 1, 0 / 1, -1, 0", "--report", "report.json")
+    document = json.loads((plate / "curve.json").read_text())
+    (kept,) = document["tangents"]
+    assert kept["pick"] == 1
+    np.testing.assert_allclose(kept["before"], np.array([1, 1, 0]) / np.sqrt(2), atol=1e-6)
+    np.testing.assert_allclose(kept["after"], np.array([1, -1, 0]) / np.sqrt(2), atol=1e-6)
+    (met,) = json.loads((plate / "report.json").read_text())["tangents"]
+    assert met["angle_of_spline"] < 1e-6
+    # What was written is read: the same curve.
+    picks = json.loads((plate / "picks.json").read_text())
+    (plate / "led.json").write_text(json.dumps({**picks, "corners": [1], "tangents": [kept]}))
+    run.ok(*["led.json" if word == "picks.json" else word for word in DEFAULT[:-1]], "again.json")
+    again = json.loads((plate / "again.json").read_text())
+    np.testing.assert_allclose(again["spline"]["control_points"], document["spline"]["control_points"], atol=1e-9)
+
+
 @pytest.mark.parametrize(
     ("words", "said"),
     [(["--corners", "4"], "pick 4 is to be a corner, but there are 3 picks"), (["--corners", "0"], "from 1"),
      (["--tangents", "4:1,0,0"], "pick 4 has a tangent, but there are 3 picks"), (["--tangents", "1:0,0,0"], "not zero"),
-     (["--tangents", "1:0,0,1"], "pick 1 is normal"), (["--tangents", "2:1,0,0", "--corners", "2"], "two directions"),
+     (["--tangents", "1:0,0,1"], "pick 1 is normal"), (["--tangents", "2:1,0,0/0,1,0"], "two directions"),
      (["--tangents", "1:1,0,0", "--preset", "paper"], "constraint")],
 )
 def test_corners_and_tangents_that_cannot_be_are_refused(run, plate, words, said):

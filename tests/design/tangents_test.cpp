@@ -39,13 +39,23 @@ double angleOf(const Vec3& a, const Vec3& b) {
     return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
+/// The same on both sides of each pick.
+std::vector<PickTangent> onBothSides(const std::vector<Vec3>& directions) {
+    std::vector<PickTangent> tangents;
+    for (const Vec3& direction : directions) {
+        tangents.push_back(PickTangent::along(direction));
+    }
+    return tangents;
+}
+
 Curve withTangents(
     const CurveDesigner& designer,
     const std::vector<Vec3>& picks,
-    const std::vector<Vec3>& tangents,
+    const std::vector<Vec3>& directions,
     const SolverOptions& options = {},
     CurveInputs inputs = {}
 ) {
+    const std::vector<PickTangent> tangents = onBothSides(directions);
     inputs.tangents = tangents;
     return goodCurve(designer, picks, options, inputs);
 }
@@ -256,11 +266,60 @@ TEST(Tangents, GoWithCornersOfOtherPicks) {
     EXPECT_EQ(cornersOf(curve.spline), std::vector<int>{2});
 }
 
+// Each side is the curve that ends there in its direction.
+TEST(Tangents, OfACornerAreThoseOfItsSides) {
+    const CurveDesigner designer(jitteredPlate(40, 40, 0.2, 3));
+    const std::vector<PickTangent> tangents = {
+        {}, {}, {Vec3(1.0, -1.0, 0.3), Vec3(0.2, 1.0, 0.0)}, {}
+    };
+    const std::vector<int> corners = {2};
+    for (const int degree : {2, 3, 4}) {
+        const SolverOptions options{.degree = degree};
+        const CurveInputs inputs{.corners = corners, .tangents = tangents};
+        const Curve curve = goodCurve(designer, kWave, options, inputs);
+        ASSERT_EQ(curve.report.tangents.size(), 1U);
+        EXPECT_LT(curve.report.tangents[0].ofSpline, kMetTangent);
+        EXPECT_LT(curve.report.tangents[0].ofPolyline, 0.3);
+        const PickTangent drawn = directionsAtPick(curve.spline, 2);
+        EXPECT_LT(angleOf(drawn.before, {1.0, -1.0, 0.0}), 1e-3);
+        EXPECT_LT(angleOf(drawn.after, {0.2, 1.0, 0.0}), 1e-3);
+        EXPECT_EQ(cornersOf(curve.spline), corners);
+        const std::vector<Vec3> first(kWave.begin(), kWave.begin() + 3);
+        const std::vector<Vec3> second(kWave.begin() + 2, kWave.end());
+        const Curve before = withTangents(
+            designer, first, {Vec3::Zero(), Vec3::Zero(), tangents[2].before}, options
+        );
+        const Curve after =
+            withTangents(designer, second, {tangents[2].after, Vec3::Zero()}, options);
+        const double length = lengthOf(before.polyline) + lengthOf(after.polyline);
+        EXPECT_NEAR(lengthOf(curve.polyline), length, 1e-9 * length);
+    }
+}
+
+TEST(Tangents, OfACornerCanBeOfOneSideAlone) {
+    const CurveDesigner designer(jitteredPlate(40, 40, 0.2, 3));
+    const std::vector<int> corners = {0, 2};
+    const std::vector<PickTangent> tangents = {
+        {Vec3::Zero(), Vec3(0.3, 1.0, 0.0)}, {}, {Vec3(1.0, 0.5, 0.0), Vec3::Zero()}, {}
+    };
+    const CurveInputs inputs{.corners = corners, .tangents = tangents};
+    const Curve curve = goodCurve(designer, kWave, {.closed = true}, inputs);
+    const std::vector<std::pair<int, PickTangent>> met = tangentsAtPicks(curve);
+    ASSERT_EQ(met.size(), 2U);
+    EXPECT_LT(curve.report.tangents[0].ofSpline, kMetTangent);
+    EXPECT_LT(curve.report.tangents[1].ofSpline, kMetTangent);
+    EXPECT_EQ(met[0].second.before, Vec3::Zero());
+    EXPECT_LT(angleOf(met[0].second.after, {0.3, 1.0, 0.0}), 1e-3);
+    EXPECT_LT(angleOf(met[1].second.before, {1.0, 0.5, 0.0}), 1e-3);
+    EXPECT_EQ(met[1].second.after, Vec3::Zero());
+}
+
 TEST(Tangents, ArePassedExactlyAmongPicksWithATolerance) {
     const CurveDesigner designer(jitteredPlate(40, 40, 0.2, 3));
     CurveInputs inputs;
     const std::vector<Vec3> tangents = {Vec3::Zero(), {1.0, 0.0, 0.0}, Vec3::Zero(), Vec3::Zero()};
-    inputs.tangents = tangents;
+    const std::vector<PickTangent> both = onBothSides(tangents);
+    inputs.tangents = both;
     const Curve curve = designer.design(kWave, {.pickTolerance = {.value = 0.03}}, {}, inputs);
     ASSERT_TRUE(curve.report.usable);
     expectMet(curve, tangents, 0.3);
@@ -295,13 +354,14 @@ TEST(Tangents, OfMendedMeshesAreMet) {
     const CurveDesigner designer(withFaceReversed(jitteredPlate(20, 20, 0.2, 3), 100));
     const std::vector<Vec3> tangents = {{0.0, 1.0, 0.0}, Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
     CurveInputs inputs;
-    inputs.tangents = tangents;
+    const std::vector<PickTangent> both = onBothSides(tangents);
+    inputs.tangents = both;
     expectMet(designer.design(kWave, {}, {}, inputs), tangents, 0.3);
 }
 
 TEST(Tangents, ThatCannotBeMetAreRefused) {
     const CurveDesigner designer(plate(8, 8));
-    const auto refusal = [&](const std::vector<Vec3>& tangents,
+    const auto refusal = [&](const std::vector<PickTangent>& tangents,
                              const std::vector<int>& corners = {},
                              const SolverOptions& options = {}) -> std::string {
         CurveInputs inputs;
@@ -315,20 +375,25 @@ TEST(Tangents, ThatCannotBeMetAreRefused) {
         }
         return "none";
     };
-    const Vec3 free = Vec3::Zero();
-    const Vec3 along(1.0, 0.0, 0.0);
+    const PickTangent free;
+    const PickTangent along = PickTangent::along(Vec3::UnitX());
+    const auto alongOne = [](const Vec3& direction) { return PickTangent::along(direction); };
     EXPECT_EQ(refusal({along}), "there are 1 tangents for 4 picks: give one for each");
     EXPECT_EQ(
-        refusal({free, Vec3(0.0, 0.0, 2.0), free, free}),
+        refusal({free, alongOne({0.0, 0.0, 2.0}), free, free}),
         "the tangent of pick 2 is normal to the surface"
     );
     EXPECT_EQ(
-        refusal({free, Vec3(std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0), free, free}),
+        refusal({free, alongOne({std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0}), free, free}),
         "the tangent of pick 2 is not finite"
     );
     EXPECT_EQ(
-        refusal({free, along, free, free}, {1}),
-        "the tangent of pick 2 is one of a corner, at which the curve has two directions"
+        refusal({free, {Vec3::UnitX(), Vec3::UnitY()}, free, free}, {2}),
+        "the tangent of pick 2 has two directions, which only a corner can have"
+    );
+    EXPECT_EQ(
+        refusal({free, {Vec3::UnitX(), Vec3::UnitZ()}, free, free}, {1}),
+        "the tangent of pick 2 is normal to the surface"
     );
     EXPECT_NE(refusal({along, free, free, free}, {}, paperPreset()), "none");
 }

@@ -132,23 +132,32 @@ TEST_F(PaintedHandles, OfOtherCurvesAreDotsUntilThePointerIsThere) {
 
 TEST_F(PaintedHandles, OfTheSelectedPicksDirectionLieOnEitherSide) {
     scene_.addPicks(arcOnPlate());
-    scene_.session().setTangent(2, {1.0, 0.5, 0.0});
+    scene_.session().setTangent(2, PickTangent::along({1.0, 0.5, 0.0}));
     scene_.session().settle();
-    const SketchPick& pick = curve(scene_).picks[2];
+    const Vec3 place = curve(scene_).picks[2].position;
     const auto handle = [&](int side) {
-        return tangentHandle(pick, side, scene_.over(pick.position), kTangentPixels);
+        const SketchPick& pick = curve(scene_).picks[2];
+        return tangentHandle(pick, side, scene_.over(place), kTangentPixels).value();
     };
     const Pixels pixels = scene_.withSketch();
     pixels.save("direction");
     for (const int side : {1, -1}) {
         EXPECT_GT(pixels.countNear(scene_.pixelOf(handle(side)), 3.5, kSelectedCentre), 20) << side;
-        const Vec3 between = 0.5 * (pick.position + handle(side));
+        const Vec3 between = 0.5 * (place + handle(side));
         EXPECT_GT(pixels.countNear(scene_.pixelOf(between), 2.0, kSelectedCentre), 0) << side;
     }
     static_cast<void>(scene_.session().move(scene_.over(handle(-1))));
     const Pixels hovered = scene_.withSketch();
     EXPECT_GT(hovered.countNear(scene_.pixelOf(handle(-1)), 4.0, kHoveredCentre), 20);
     EXPECT_EQ(hovered.countNear(scene_.pixelOf(handle(1)), 4.0, kHoveredCentre), 0);
+    // At a corner each side has its own.
+    scene_.session().setTangent(2, {Vec3(1.0, 0.5, 0.0), Vec3(1.0, -2.0, 0.0)});
+    scene_.session().leave();
+    const Pixels own = scene_.withSketch();
+    own.save("corner_with_directions");
+    for (const int side : {1, -1}) {
+        EXPECT_GT(own.countNear(scene_.pixelOf(handle(side)), 3.5, kSelectedCentre), 20) << side;
+    }
     // Only of the selected pick.
     scene_.session().select(0, 0);
     EXPECT_EQ(scene_.withSketch().countNear(scene_.pixelOf(handle(1)), 3.5, kSelectedCentre), 0);

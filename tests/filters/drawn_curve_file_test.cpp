@@ -133,13 +133,22 @@ TEST_F(DrawnCurveFile, OfACurveWithoutItsPicksHasTheCornersOfTheSpline) {
 }
 
 TEST_F(DrawnCurveFile, KeepsDirectionsOfPicks) {
-    curves_[0].drawn.picks[0].tangent = Vec3(0.25, -1.0, 3.0);
+    const auto along = PickTangent::along({0.25, -1.0, 3.0});
+    const PickTangent free{Vec3(0.1, 0.2, 0.3), Vec3(0.25, 1.0, 3.0)};
+    const PickTangent oneSided{Vec3::Zero(), Vec3(0.5, 1.0, 0.0)};
+    std::vector<SketchPick>& picks = curves_[0].drawn.picks;
+    picks[0].tangent = along;
+    picks[1] = {picks[1].point, picks[1].position, true, free};
+    picks[2] = {picks[2].point, picks[2].position, true, oneSided};
     for (const char* const name : {"a.json", "a.obj", "a.dxf"}) {
         saveDrawnCurves(path(name), curves_, surface_);
         const OpenedCurves opened = openDrawnCurves(path(name), surface_);
-        EXPECT_EQ(opened.curves.at(0).picks.at(0).tangent, Vec3(0.25, -1.0, 3.0)) << name;
-        EXPECT_EQ(opened.curves.at(0).picks.at(2).tangent, Vec3::Zero()) << name;
-        EXPECT_EQ(opened.curves.at(1).picks.at(0).tangent, Vec3::Zero()) << name;
+        const std::vector<SketchPick>& read = opened.curves.at(0).picks;
+        EXPECT_EQ(read.at(0).tangent, along) << name;
+        EXPECT_EQ(read.at(1).tangent, free) << name;
+        EXPECT_EQ(read.at(2).tangent, oneSided) << name;
+        EXPECT_TRUE(read.at(1).isCorner && read.at(2).isCorner) << name;
+        EXPECT_TRUE(opened.curves.at(1).picks.at(0).tangent.isAny()) << name;
     }
 }
 
@@ -148,15 +157,16 @@ TEST_F(DrawnCurveFile, OfACurveWithoutItsPicksHasTheDirectionsOfTheSpline) {
     for (const SketchPick& pick : curves_[1].drawn.picks) {
         picks.push_back(pick.position);
     }
-    std::vector<Vec3> tangents(picks.size(), Vec3::Zero());
-    tangents[1] = picks[2] - picks[0];
+    std::vector<PickTangent> tangents(picks.size());
+    tangents[1] = PickTangent::along(picks[2] - picks[0]);
     const Curve curve = designer_.design(picks, {.closed = true}, {}, {.tangents = tangents});
     writeCurve(path("a.json"), curve);
     const std::vector<SketchPick> opened =
         openDrawnCurves(path("a.json"), surface_).curves.at(0).picks;
     const Vec3 along = derivativeOf(curve.spline, curve.spline.pickParameters[1]).normalized();
-    EXPECT_LE((opened.at(1).tangent - along).norm(), 1e-12);
-    EXPECT_EQ(opened.at(0).tangent, Vec3::Zero());
+    EXPECT_LE((opened.at(1).tangent.after - along).norm(), 1e-12);
+    EXPECT_TRUE(opened.at(1).tangent.isOne());
+    EXPECT_TRUE(opened.at(0).tangent.isAny());
 }
 
 TEST_F(DrawnCurveFile, KeepsCornersOfPicksThatAreProjected) {

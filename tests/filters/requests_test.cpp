@@ -117,13 +117,22 @@ TEST(CurveRequest, TakesTangentsByNumbersFromOne) {
     };
     EXPECT_TRUE(tangentsOf("").of(3).empty());
     const PickDirections two = tangentsOf(" 3: 0 , 0.1, -2e-3;1:1 0 0 ; ");
-    const std::vector<Vec3> expected = {
-        Vec3(1.0, 0.0, 0.0), Vec3::Zero(), Vec3(0.0, 0.1, -2e-3), Vec3::Zero()
+    const std::vector<PickTangent> expected = {
+        PickTangent::along(Vec3::UnitX()), {}, PickTangent::along({0.0, 0.1, -2e-3}), {}
     };
     EXPECT_EQ(two.of(4), expected);
     EXPECT_EQ(describe(two), "3:0,0.1,-0.002;1:1,0,0");
     EXPECT_EQ(tangentsOf(describe(two)), two);
     EXPECT_THROW(static_cast<void>(two.of(2)), InputError);
+    const PickDirections ofCorners = tangentsOf("1: 1 0 0 / 0,1,0; 2:any/0 0 1;3: 0 0 2/ any");
+    const std::vector<PickTangent> sides = {
+        {Vec3::UnitX(), Vec3::UnitY()},
+        {Vec3::Zero(), Vec3::UnitZ()},
+        {2.0 * Vec3::UnitZ(), Vec3::Zero()}
+    };
+    EXPECT_EQ(ofCorners.of(3), sides);
+    EXPECT_EQ(describe(ofCorners), "1:1,0,0/0,1,0;2:any/0,0,1;3:0,0,2/any");
+    EXPECT_EQ(tangentsOf(describe(ofCorners)), ofCorners);
     for (const Text wrong :
          {"0:1,0,0",
           "1:0,0,0",
@@ -132,7 +141,12 @@ TEST(CurveRequest, TakesTangentsByNumbersFromOne) {
           "1 1,0,0",
           "x",
           "1:nan,0,0",
-          "1:1,0,0 2:0,1,0"}) {
+          "1:1,0,0 2:0,1,0",
+          "1:any",
+          "1:any/any",
+          "1:1,0,0/",
+          "1:/1,0,0",
+          "1:1,0,0/0,0,0"}) {
         EXPECT_THROW(static_cast<void>(tangentsOf(wrong)), InputError) << wrong;
     }
 }

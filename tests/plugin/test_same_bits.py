@@ -18,10 +18,11 @@ MESHES = {}
 CASES = [(mesh, kind) for mesh in ("plate", "torus", "sphere", "rough", "fold", "broken") for kind in ("open", "closed", "valley", "quartic")]
 CASES += [(mesh, kind) for mesh in ("plate", "sphere", "broken") for kind in ("cornered", "led")]
 OPTIONS = {"open": {}, "closed": {"closed": True}, "valley": {"field": "valley"}, "quartic": {"degree": 4, "tension": 0.3},
-           "cornered": {"closed": True, "corners": "5,2"}, "led": {"tangents": "1:0.1,0.3,1;3:1,0,0.2", "corners": "2"}}
+           "cornered": {"closed": True, "corners": "5,2"}, "led": {"tangents": "1:0.1,0.3,1;2:0.3,1,0.2/any;3:1,0,0.2;4:1,0.2,0.3/0.2,1,0.4", "corners": "2,4"}}
 # The package counts picks from 0.
 IN_PYTHON = OPTIONS | {"cornered": {"closed": True, "corners": [4, 1]},
-                       "led": {"tangents": {0: (0.1, 0.3, 1), 2: (1, 0, 0.2)}, "corners": [1]}}
+                       "led": {"tangents": {0: (0.1, 0.3, 1), 1: ((0.3, 1, 0.2), None), 2: (1, 0, 0.2), 3: ((1, 0.2, 0.3), (0.2, 1, 0.4))},
+                               "corners": [1, 3]}}
 WITHOUT_AVX2 = {"GLIBC_TUNABLES": "glibc.cpu.hwcaps=-AVX2,-FMA"}
 
 

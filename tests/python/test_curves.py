@@ -413,9 +413,35 @@ def test_a_curve_passes_picks_in_given_directions(degree, mesh, picks, tmp_path)
     assert "tangents" not in curve.with_options(tangents=None).options
 
 
+@pytest.mark.parametrize("sides", [((0.0, 1.0, 0.3), (1.0, 0.2, 0.1)), (None, (1.0, 0.2, 0.1)), ((0.0, 1.0, 0.3), None)])
+def test_a_corner_has_a_direction_on_either_side(sides, mesh, picks, tmp_path):
+    curve = mesh.curve(picks, corners=[1], tangents={1: sides})
+    (met,) = curve.report["tangents"]
+    assert met["pick"] == 1 and met["angle_of_spline"] < 1e-6
+    step = 1e-7
+    at = curve.pick_parameters[1]
+    for side, asked in zip((-step, step), sides):
+        if asked is not None:
+            way = (curve.spline(at + side) - curve.spline(at)) / side
+            assert way @ np.array(asked) > 0.5 * np.linalg.norm(way)
+    curve.save(tmp_path / "curve.json")
+    again = bspline_curve.load(tmp_path / "curve.json", mesh)
+    assert again.options["tangents"] == curve.options["tangents"] == ((1, sides),)
+    np.testing.assert_array_equal(again.with_options().points, curve.points)
+    turned = curve.reversed()
+    before, after = sides
+    ((pick, directions),) = turned.options["tangents"]
+    assert pick == 2
+    for found, wanted in zip(directions, (after, before)):
+        assert (found is None) == (wanted is None)
+        assert found is None or found == tuple(-x for x in wanted)
+    with pytest.raises(bspline_curve.InputError, match="only a corner can have"):
+        mesh.curve(picks, tangents={1: ((0, 1, 0), (1, 0, 0))})
+
+
 @pytest.mark.parametrize(
     ("tangents", "error"),
-    [({4: (1, 0, 0)}, ValueError), ({-1: (1, 0, 0)}, ValueError), ({0: (0, 0, 0)}, ValueError), ({0: (1, 0)}, TypeError),
+    [({4: (1, 0, 0)}, ValueError), ({1: (None, None)}, ValueError), ({1: ((1, 0, 0), (1, 0))}, TypeError), ({-1: (1, 0, 0)}, ValueError), ({0: (0, 0, 0)}, ValueError), ({0: (1, 0)}, TypeError),
      ({"a": (1, 0, 0)}, TypeError), ("1:1,0,0", TypeError), (1, TypeError)],
 )
 def test_tangents_that_are_none_are_refused(tangents, error, mesh, picks):

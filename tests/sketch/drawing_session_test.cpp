@@ -127,7 +127,7 @@ TEST_P(ASession, DrawsCornersThatStayWithTheirPicks) {
 
 TEST_P(ASession, DrawsDirectionsThatStayWithTheirPicks) {
     drawArc();
-    const Vec3 along = curve().picks[2].position - curve().picks[0].position;
+    const auto along = PickTangent::along(curve().picks[2].position - curve().picks[0].position);
     s_.session.setTangent(1, along);
     s_.session.settle();
     ASSERT_TRUE(curve().settled);
@@ -136,11 +136,14 @@ TEST_P(ASession, DrawsDirectionsThatStayWithTheirPicks) {
     EXPECT_LE(curve().settled->report.tangents.front().ofSpline, 1e-6);
     s_.session.insertPick(0, curve().picks[0].point);
     EXPECT_EQ(curve().picks[2].tangent, along);
-    EXPECT_EQ(curve().picks[1].tangent, Vec3::Zero());
-    s_.session.setCorner(2, true);  // a corner has none
+    EXPECT_EQ(curve().picks[1].tangent, PickTangent());
+    s_.session.setCorner(2, true);  // a corner has none at first
     EXPECT_TRUE(curve().tangents().empty());
+    s_.session.setTangent(2, {along.before, Vec3::UnitX()});
+    EXPECT_EQ(kindOf(curve().picks[2]), PickKind::Free);
     s_.session.setTangent(2, along);
     EXPECT_TRUE(curve().corners().empty());
+    s_.session.undo();
     s_.session.undo();
     EXPECT_EQ(curve().corners(), std::vector<int>{2});
     EXPECT_THROW(s_.session.setTangent(9, along), std::out_of_range);

@@ -136,7 +136,9 @@ void reachByCalls(const SessionFixture& s) {
         calls.setClosed(curve->options.solver.closed);
         for (int i = 0; i < static_cast<int>(curve->picks.size()); ++i) {
             calls.setCorner(i, curve->picks[i].isCorner);
-            calls.setTangent(i, curve->picks[i].tangent);
+            if (!curve->picks[i].tangent.isAny()) {
+                calls.setTangent(i, curve->picks[i].tangent);
+            }
         }
     }
     calls.newCurve();

@@ -69,7 +69,7 @@ void SessionFixture::click(const std::vector<Vec3>& points) {
 Curve SessionFixture::drawn(const SketchCurve& curve) const {
     CurveInputs inputs;
     const std::vector<int> corners = curve.corners();
-    const std::vector<Vec3> tangents = curve.tangents();
+    const std::vector<PickTangent> tangents = curve.tangents();
     inputs.corners = corners;
     inputs.tangents = tangents;
     if (curve.options.guides) {

@@ -38,7 +38,7 @@ protected:
     /// The pointer over a handle of the middle pick.
     [[nodiscard]] Pointer overHandle(int side) const {
         return s_.camera.over(
-            tangentHandle(pick(), side, s_.camera.over(pick().position), kPixels)
+            tangentHandle(pick(), side, s_.camera.over(pick().position), kPixels).value()
         );
     }
 
@@ -58,8 +58,17 @@ TEST_P(TangentHandles, GoThroughAllKindsByAKey) {
     EXPECT_EQ(curve().settled->report.tangents.size(), 1U);
     EXPECT_TRUE(s_.session.key(SketchKey::Kind, s_.camera.off()));
     EXPECT_EQ(kindOf(pick()), PickKind::Corner);
+    s_.session.settle();
+    const Vec3 cornered = curve().settled->polyline.points[10];
+    EXPECT_TRUE(s_.session.key(SketchKey::Kind, s_.camera.off()));
+    EXPECT_EQ(kindOf(pick()), PickKind::Free);
+    s_.session.settle();
+    EXPECT_LT((curve().settled->polyline.points[10] - cornered).norm(), 1e-3);
     EXPECT_TRUE(s_.session.key(SketchKey::Kind, s_.camera.off()));
     EXPECT_EQ(kindOf(pick()), PickKind::Automatic);
+    EXPECT_TRUE(pick().tangent.isAny());
+    s_.session.undo();
+    EXPECT_EQ(kindOf(pick()), PickKind::Free);
     s_.session.undo();
     EXPECT_EQ(kindOf(pick()), PickKind::Corner);
     s_.session.undo();
@@ -69,7 +78,7 @@ TEST_P(TangentHandles, GoThroughAllKindsByAKey) {
 }
 
 TEST_P(TangentHandles, TurnTheDirectionOfTheirPick) {
-    s_.session.setTangent(1, {1.0, 0.0, 0.0});
+    s_.session.setTangent(1, PickTangent::along(Vec3::UnitX()));
     s_.session.settle();
     for (const int side : {1, -1}) {
         s_.session.move(overHandle(side));
@@ -80,7 +89,7 @@ TEST_P(TangentHandles, TurnTheDirectionOfTheirPick) {
         s_.session.move(to);
         EXPECT_TRUE(s_.session.isDragging());
         s_.session.release(to);
-        EXPECT_LT(angleOf(pick().tangent, wanted), 1e-9) << side;
+        EXPECT_LT(angleOf(pick().tangent.after, wanted), 1e-9) << side;
         s_.session.settle();
         ASSERT_EQ(curve().settled->report.tangents.size(), 1U);
         EXPECT_LE(curve().settled->report.tangents.front().ofSpline, 1e-6);
@@ -88,43 +97,71 @@ TEST_P(TangentHandles, TurnTheDirectionOfTheirPick) {
     EXPECT_EQ(curve().picks.size(), 3U);
     // Each drag is one entry.
     s_.session.undo();
-    EXPECT_LT(angleOf(pick().tangent, {0.4, 0.3, 0.0}), 1e-9);
+    EXPECT_LT(angleOf(pick().tangent.after, {0.4, 0.3, 0.0}), 1e-9);
     s_.session.undo();
-    EXPECT_EQ(pick().tangent, Vec3(1.0, 0.0, 0.0));
+    EXPECT_EQ(pick().tangent, PickTangent::along(Vec3::UnitX()));
+}
+
+TEST_P(TangentHandles, OfACornerTurnTheirOwnSide) {
+    s_.session.setTangent(1, {Vec3::UnitX(), Vec3::UnitY()});
+    s_.session.settle();
+    for (const int side : {1, -1}) {
+        const PickTangent before = pick().tangent;
+        const Vec3 wanted = Vec3(0.4, 0.3 * side, 0.0).normalized();
+        s_.session.move(overHandle(side));
+        EXPECT_EQ(s_.session.hovered(), (SketchHit{0, 1, -1, side}));
+        s_.session.press(overHandle(side));
+        const Pointer to = s_.camera.over(pick().position + 0.15 * side * wanted);
+        s_.session.move(to);
+        s_.session.release(to);
+        EXPECT_EQ(kindOf(pick()), PickKind::Free);
+        const auto& [behind, ahead] = pick().tangent;
+        EXPECT_LT(angleOf(side > 0 ? ahead : behind, wanted), 1e-9) << side;
+        EXPECT_EQ(side > 0 ? behind : ahead, side > 0 ? before.before : before.after);
+        s_.session.settle();
+        ASSERT_EQ(curve().settled->report.tangents.size(), 1U);
+        EXPECT_LE(curve().settled->report.tangents.front().ofSpline, 1e-6);
+    }
+    s_.session.setTangent(1, {Vec3::Zero(), Vec3::UnitY()});
+    EXPECT_FALSE(tangentHandle(pick(), -1, s_.camera.over(pick().position), kPixels).has_value());
+    s_.session.setKind(1, PickKind::Aligned);
+    EXPECT_TRUE(pick().tangent.isOne());
+    EXPECT_FALSE(pick().isCorner);
 }
 
 TEST_P(TangentHandles, StayWhereADragIsGivenUpOrDoesNotMove) {
-    s_.session.setTangent(1, {1.0, 0.0, 0.0});
+    s_.session.setTangent(1, PickTangent::along(Vec3::UnitX()));
     s_.session.settle();
     s_.session.press(overHandle(1));
     s_.session.move(s_.camera.over(pick().position + Vec3(0.0, 0.1, 0.0)));
-    EXPECT_GT(angleOf(pick().tangent, {1.0, 0.0, 0.0}), 1.0);
+    EXPECT_GT(angleOf(pick().tangent.after, {1.0, 0.0, 0.0}), 1.0);
     s_.session.key(SketchKey::Cancel, s_.camera.off());
-    EXPECT_EQ(pick().tangent, Vec3(1.0, 0.0, 0.0));
+    EXPECT_EQ(pick().tangent, PickTangent::along(Vec3::UnitX()));
     s_.session.select(0, 1);
     s_.click(overHandle(1));
-    EXPECT_EQ(pick().tangent, Vec3(1.0, 0.0, 0.0));
+    EXPECT_EQ(pick().tangent, PickTangent::along(Vec3::UnitX()));
     EXPECT_EQ(curve().picks.size(), 3U);
 }
 
 TEST_P(TangentHandles, AreThoseOfTheSelectedPickOfAHostThatDrawsThem) {
-    s_.session.setTangent(1, {1.0, 0.0, 0.0});
+    s_.session.setTangent(1, PickTangent::along(Vec3::UnitX()));
     const Pointer over = overHandle(1);
     s_.session.select(0, 0);
     s_.session.move(over);
     EXPECT_EQ(s_.session.hovered().handle, 0);
     SessionFixture other(jitteredPlate(20, 20, 0.2, 3), Vec3::UnitZ());
     other.click({{0.2, 0.3, 0.0}, {0.5, 0.6, 0.0}, {0.8, 0.4, 0.0}});
-    other.session.setTangent(1, {1.0, 0.0, 0.0});
-    other.session.move(other.camera.over(tangentHandle(
+    other.session.setTangent(1, PickTangent::along(Vec3::UnitX()));
+    const auto handle = tangentHandle(
         other.session.sketch().curves[0]->picks[1], 1, other.camera.over({0.5, 0.6, 0.0}), kPixels
-    )));
+    );
+    other.session.move(other.camera.over(handle.value()));
     EXPECT_EQ(other.session.hovered().handle, 0);
 }
 
 TEST_P(TangentHandles, AreHiddenByTheSurface) {
-    const Pointer pointer = overHandle(1);
-    s_.session.setTangent(1, {1.0, 0.0, 0.0});
+    const Pointer pointer = s_.camera.over(pick().position);
+    s_.session.setTangent(1, PickTangent::along(Vec3::UnitX()));
     const double depth = (pick().position - pointer.start).dot(pointer.direction);
     EXPECT_EQ(tangentHandleUnder(overHandle(1), depth, pick(), kPixels, 9.0), 1);
     EXPECT_EQ(tangentHandleUnder(overHandle(1), 0.5 * depth, pick(), kPixels, 9.0), 0);

@@ -74,6 +74,9 @@ test("corners and tangents of curves are the program's", (t) => {
   const curve = mesh.curve(picks, { corners: [1], tangents: { 2: [0, 1, 0] } });
   assertClose(curve.points, JSON.parse(read("c.json")).polyline.points.flat(), SAME * mesh.diagonal, "the curve");
   assert.deepEqual([...curve.corners], [1]);
+  const sides = runProgram(at, "mesh.ply", "--picks", "picks.json", "--corners", "2", "--tangents", "2: any/0, 1, 0", "--output", "s.json");
+  const free = mesh.curve(picks, { corners: [1], tangents: { 1: [null, [0, 1, 0]] } });
+  assertClose(free.points, JSON.parse(sides("s.json")).polyline.points.flat(), SAME * mesh.diagonal, "the curve with a direction after its corner");
 });
 
 // ---- Drawing
@@ -156,8 +159,20 @@ test("picks become corners, and get a direction that a handle turns", () => {
   assert.equal(kinds()[1], "corner");
   assert.notDeepEqual(session.state.curves[0].points, smooth);
 
-  session.event({ event: "key", key: "kind", ...above(0, 0) }); // a corner becomes automatic
-  session.event({ event: "key", key: "kind", ...above(0, 0) });
+  const next = () => session.event({ event: "key", key: "kind", ...above(0, 0) });
+  next();
+  session.settle();
+  const free = session.state.curves[0];
+  assert.equal(kinds()[1], "free");
+  assert.notDeepEqual(free.tangents.subarray(3, 6), free.tangents_before.subarray(3, 6));
+  const reopened = new Session(hills());
+  reopened.open("drawing.json", session.save("drawing.json"));
+  reopened.settle();
+  assert.deepEqual(reopened.state.curves[0].points, free.points);
+  reopened.free();
+  next();
+  assert.equal(kinds()[1], "automatic");
+  next();
   session.settle();
   assert.equal(kinds()[1], "aligned");
   const [tangent, pick] = [session.state.curves[0].tangents, session.state.curves[0].picks].map((values) => [...values.subarray(3, 6)]);

@@ -122,6 +122,10 @@ describe("lines on the page", { skip: withoutBrowser }, () => {
 
     await seen.page.focus("#canvas");
     await seen.page.keyboard.press("t");
+    await seen.settled();
+    assert.equal((await seen.drawing()).curves[0].kinds[2], 3);
+    await seen.picture("corner-with-directions");
+    await seen.page.keyboard.press("t");
     await seen.page.keyboard.press("t");
     await seen.settled();
     const aligned = (await seen.drawing()).curves[0];

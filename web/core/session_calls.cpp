@@ -150,7 +150,8 @@ Json changed(const Json& arguments, Reply& reply, const Change& change) {
     return {{"state", stateJson(*session, reply)}};
 }
 
-// {"picks", "corners": some of them, "tangents": of each, or of none, "options"}.
+// {"picks", "corners": some of them, "tangents" and "tangents_before": of each, or of none,
+// "options"}.
 SketchCurve describedCurve(Session& session, const Json& described) {
     DrawnCurve drawn;
     for (const Vec3& position : pointsOf(described.at("picks"))) {
@@ -160,9 +161,10 @@ SketchCurve describedCurve(Session& session, const Json& described) {
     for (const int pick : idsOf(described.at("corners"))) {
         drawn.picks.at(pick).isCorner = true;
     }
-    const std::vector<Vec3> tangents = pointsOf(described.at("tangents"));
-    for (std::size_t i = 0; i < tangents.size(); ++i) {
-        drawn.picks.at(i).tangent = tangents[i];
+    const std::vector<Vec3> after = pointsOf(described.at("tangents"));
+    const std::vector<Vec3> before = pointsOf(described.at("tangents_before"));
+    for (std::size_t i = 0; i < after.size(); ++i) {
+        drawn.picks.at(i).tangent = {before.at(i), after[i]};
     }
     drawn.options = drawnOptions(described.at("options"));
     return sketchCurve(session, drawn);

@@ -45,10 +45,11 @@ Json newsOf(const Session& session, const SketchCurve& curve, Reply& reply) {
     const double length = lengthOfShown(points, curve.options.solver.closed);
     const Workpiece& workpiece = *session.mesh->workpiece;
     std::vector<int> kinds;
-    std::vector<Vec3> tangents;
+    std::vector<Vec3> before, after;
     for (const SketchPick& pick : curve.picks) {
         kinds.push_back(static_cast<int>(kindOf(pick)));
-        tangents.push_back(pick.tangent);
+        before.push_back(pick.tangent.before);
+        after.push_back(pick.tangent.after);
     }
     Json json{
         {"id", curve.id},
@@ -58,7 +59,8 @@ Json newsOf(const Session& session, const SketchCurve& curve, Reply& reply) {
         {"options", optionsJson(session.options.fromSketch(curve.options))},
         {"picks", reply.array(curve.positions())},
         {"kinds", reply.array(std::move(kinds))},
-        {"tangents", reply.array(std::move(tangents))},
+        {"tangents", reply.array(std::move(after))},
+        {"tangents_before", reply.array(std::move(before))},
         {"normals", reply.array(normalsAt(workpiece.mesh(), curve.picks))},
         {"leeway", curve.options.solver.pickTolerance.in(workpiece.meanEdgeLength())},
         {"points", reply.array(std::move(points))},

@@ -33,8 +33,8 @@ export interface CurveOptions {
   pick_tolerance?: number | string;
   /** Picks at which the curve turns, from 0 on, or "all". */
   corners?: Ids | "all";
-  /** Directions in which the curve passes picks, by their numbers from 0 on. */
-  tangents?: { [pick: number]: readonly number[] };
+  /** Directions in which the curve passes picks, by their numbers from 0 on; of a corner two, before it and after it. */
+  tangents?: { [pick: number]: readonly number[] | readonly [readonly number[] | null, readonly number[] | null] };
   field_weight?: number;
   samples?: number;
   preset?: "default" | "paper";
@@ -228,8 +228,8 @@ export interface DrawnOptions {
   avoid_threshold?: number;
 }
 
-/** Smooth in the fairest direction, smooth in a direction of its own, or a corner. */
-export type PickKind = "automatic" | "aligned" | "corner";
+/** Smooth in the fairest direction, smooth in a direction of its own, a corner, or one with a direction on either side. */
+export type PickKind = "automatic" | "aligned" | "corner" | "free";
 /** In the order of their numbers. */
 export const PICK_KINDS: readonly PickKind[];
 
@@ -242,8 +242,12 @@ export interface SketchCurve {
   picks: Float64Array;
   /** Of each pick, the number of its PickKind. */
   kinds: Int32Array;
-  /** Of each pick, 3 numbers: its direction, zero where it has none; the normal of its face. */
+  /**
+   * Of each pick, 3 numbers: the direction in which the curve goes on and that in which it comes, which differ at corners
+   * alone, zero where there is none; the normal of its face.
+   */
   tangents: Float64Array;
+  tangents_before: Float64Array;
   normals: Float64Array;
   /** How far from automatic picks the curve may pass, in the unit of the mesh. */
   leeway: number;
@@ -289,9 +293,10 @@ export class Session extends Held {
   update(): boolean;
   /** Solves all. */
   settle(): void;
-  add_curve(picks: Points, options?: DrawnOptions & { corners?: Ids; tangents?: Points }): void;
+  /** `tangents_before`: of corners where the curve comes in another direction than it goes on in. */
+  add_curve(picks: Points, options?: DrawnOptions & { corners?: Ids; tangents?: Points; tangents_before?: Points }): void;
   /** The same for several, as one step of the history. */
-  add_curves(curves: (DrawnOptions & { picks: Points; corners?: Ids; tangents?: Points })[]): void;
+  add_curves(curves: (DrawnOptions & { picks: Points; corners?: Ids; tangents?: Points; tangents_before?: Points })[]): void;
   /** Of a pick of the active curve. */
   set_kind(pick: number, kind: PickKind): void;
   set_options(options: DrawnOptions, how?: { live?: boolean }): void;

@@ -11,7 +11,9 @@ function inText({ corners, tangents, ...options }) {
   }
   if (tangents !== undefined) {
     const entries = typeof tangents === "string" ? null : Object.entries(tangents);
-    options.tangents = entries?.map(([pick, direction]) => `${Number(pick) + 1}: ${[...direction].join()}`).join("; ") ?? tangents;
+    const inWords = (direction) => (direction ? [...direction].join() : "any");
+    const sidesOf = (direction) => (direction.length === 2 ? direction.map(inWords).join("/") : inWords(direction));
+    options.tangents = entries?.map(([pick, direction]) => `${Number(pick) + 1}: ${sidesOf(direction)}`).join("; ") ?? tangents;
   }
   return options;
 }

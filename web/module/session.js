@@ -4,7 +4,7 @@ import { Curve } from "./curve.js";
 import { call, Held } from "./instance.js";
 
 /** How a curve passes a pick, by its number in `kinds`. */
-export const PICK_KINDS = ["automatic", "aligned", "corner"];
+export const PICK_KINDS = ["automatic", "aligned", "corner", "free"];
 
 /**
  * Drawing with a mouse, a pen or fingers, without a window: takes events as rays into the scene, holds curves, picks,
@@ -64,9 +64,10 @@ export class Session extends Held {
 
   add_curves(curves) {
     this.#call("add_curves", {
-      curves: curves.map(({ picks, corners = [], tangents = [], ...options }) => (
-        { picks: coordinates(picks), corners: ids(corners), tangents: coordinates(tangents), options }
-      )),
+      curves: curves.map(({ picks, corners = [], tangents = [], tangents_before = tangents, ...options }) => ({
+        picks: coordinates(picks), corners: ids(corners), options,
+        tangents: coordinates(tangents), tangents_before: coordinates(tangents_before),
+      })),
     });
   }
 

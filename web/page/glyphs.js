@@ -77,7 +77,7 @@ export class Glyphs {
   #scene;
   #shown = [];
   #lifted = []; // of these
-  #handles = null; // { pick, tangent, line, ends }: their place depends on the view
+  #handles = null; // { pick, ways, line, ends }: their place depends on the view
   /** Pixels of the view that are one of the pointer's. */
   pointerScale = 1;
 
@@ -132,27 +132,28 @@ export class Glyphs {
     }
   }
 
-  #showHandles({ places, tangents }, selected, hovered) {
-    const tangent = selected < 0 ? new Vector3() : new Vector3().fromArray(tangents, 3 * selected);
-    if (tangent.lengthSq() > 0) {
-      const sizes = [1, -1].map((side) => HANDLE_SIZE * (side === hovered ? 1.4 : 1));
+  #showHandles({ places, tangents, tangents_before }, selected, hovered) {
+    const wayOf = (values, side) => new Vector3().fromArray(values, 3 * selected).normalize().multiplyScalar(side);
+    const ways = selected < 0 ? [] : [wayOf(tangents, 1), wayOf(tangents_before, -1)];
+    if (ways.some((way) => way.lengthSq() > 0)) {
+      const sizes = ways.map((way, i) => (way.lengthSq() > 0 ? HANDLE_SIZE * (hovered === (i ? -1 : 1) ? 1.4 : 1) : 0));
       this.#handles = {
-        pick: new Vector3().fromArray(places, 3 * selected), tangent: tangent.normalize(),
-        line: this.#add(segmentsOf([0, 0, 0, 0, 0, 0], HANDLE_COLOUR, 2)),
+        pick: new Vector3().fromArray(places, 3 * selected), ways,
+        line: this.#add(segmentsOf(new Array(12).fill(0), HANDLE_COLOUR, 2)),
         ends: this.#add(pointsOf([0, 0, 0, 0, 0, 0], [...HANDLE_COLOUR, ...HANDLE_COLOUR], sizes, [0, 0])),
       };
       this.#lifted.push(this.#handles.line);
     }
   }
 
-  /** Where the handles are about the middle of the mesh, the one ahead first; empty: there are none. */
+  /** Where the handles are about the middle of the mesh, the one ahead first, at the pick where its side has none; empty: none has. */
   handlePlaces(camera) {
     if (!this.#handles) {
       return [];
     }
-    const { pick, tangent } = this.#handles;
+    const { pick, ways } = this.#handles;
     const reach = HANDLE_PIXELS * this.pointerScale * camera.pixel * camera.three.position.distanceTo(pick);
-    return [1, -1].map((side) => pick.clone().addScaledVector(tangent, side * reach));
+    return ways.map((way) => pick.clone().addScaledVector(way, reach));
   }
 
   /** To be called before each picture. */
@@ -162,11 +163,12 @@ export class Glyphs {
       scale.setScalar(LIFT);
     }
     if (this.#handles) {
-      const ends = this.handlePlaces(camera).flatMap((end) => end.toArray());
+      const ends = this.handlePlaces(camera).map((end) => end.toArray());
       const { position } = this.#handles.ends.geometry.attributes;
-      position.array.set(ends);
+      position.array.set(ends.flat());
       position.needsUpdate = true;
-      this.#handles.line.geometry.setPositions(ends);
+      const pick = this.#handles.pick.toArray();
+      this.#handles.line.geometry.setPositions(ends.flatMap((end) => [...pick, ...end]));
     }
   }
 }

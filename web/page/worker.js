@@ -159,9 +159,9 @@ const requests = {
       : new Mesh(source.vertices, source.faces, { slits: true, progress });
     documents.begin(mesh, source);
     curves.forEach((curve, i) => {
-      const { picks, kinds, tangents, options } = curve;
-      const corners = [...kinds.keys()].filter((pick) => PICK_KINDS[kinds[pick]] === "corner");
-      documents.now.session.add_curve(picks, { corners, tangents, ...options });
+      const { picks, kinds, tangents, tangents_before, options } = curve;
+      const corners = [...kinds.keys()].filter((pick) => ["corner", "free"].includes(PICK_KINDS[kinds[pick]]));
+      documents.now.session.add_curve(picks, { corners, tangents, tangents_before, ...options });
       documents.now.session.set_look(i, { name: curve.name, colour: curve.colour, hidden: curve.hidden });
     });
     if (active >= 0) {
