@@ -18,7 +18,7 @@ import time
 from pathlib import Path
 
 import numpy as np
-from cases import ROOT, bumpy_torus, machine, packaged_mesh, replace_table, write_json
+from cases import ROOT, bumpy_torus, machine, midpoint_subdivided, packaged_mesh, replace_table, write_json
 
 sys.path.insert(0, str(ROOT / "build" / "release" / "python"))
 
@@ -30,8 +30,6 @@ PICKS = 8
 
 def sphere():
     """Of radius 1, by halving the edges of an octahedron."""
-    from cases import midpoint_subdivided
-
     vertices = np.array([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]], float)
     faces = np.array([[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]])
     for _ in range(6):

@@ -82,12 +82,16 @@ bool DrawingSession::changeKind() {
 }
 
 void DrawingSession::setFree(int pick) {
-    const SketchCurve& curve = *sketch_.activeCurve();
-    const Vec3 normal = normalAt(curve.picks[pick].point);
-    const PickTangent along = directionsAt(curve, pick);
-    if (!staysWithoutDrag() || kindOf(sketch_.activeCurve()->picks[pick]) == PickKind::Free) {
+    if (!staysWithoutDrag()) {
         return;
     }
+    requirePick(pick);
+    const SketchCurve& curve = *sketch_.activeCurve();
+    if (kindOf(curve.picks[pick]) == PickKind::Free) {
+        return;
+    }
+    const Vec3 normal = normalAt(curve.picks[pick].point);
+    const PickTangent along = directionsAt(curve, pick);
     SketchPick& changedPick = changed().picks[pick];
     changedPick.isCorner = true;
     changedPick.tangent = {alongPlane(along.before, normal), alongPlane(along.after, normal)};

@@ -238,6 +238,17 @@ def test_the_checks_of_imprints_see_what_is_wrong(bench_program, tmp_path):
 
 
 @needs("meshlib")
+def test_fills_are_measured_beside_those_of_others(script, tmp_path):
+    succeed(script("fills.py", "--quick", "--json", tmp_path / "f.json"))
+    rows = json.loads((tmp_path / "f.json").read_text())["rows"]
+    assert [row["size"] for row in rows] == [8, 16, 32]
+    for row in rows:
+        assert row["ours"]["faces"] > row["rim"] and row["ours"]["cross"] == 0
+        assert row["ours"]["off"] < 0.02 < row["MeshLib"]["off"], "a cap of a sphere"
+        assert row["ours"]["turn"][0] < 2 and row["ours"]["aspect"] < 8
+
+
+@needs("meshlib")
 def test_imprinting_is_timed_beside_meshlib(script, bench_program, tmp_path):
     succeed(script("peers_cut.py", "--quick", "--program", bench_program, "--json", tmp_path / "p.json"))
     rows = json.loads((tmp_path / "p.json").read_text())["rows"]
