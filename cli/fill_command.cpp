@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // bspline_curve fill MESH --output FILE …: the holes that a mesh has, closed.
 #include "bspline_curve/files.h"
+#include "cli/described_options.h"
 #include "cli/result_files.h"
 #include "cli/use_input.h"
 #include "cli/verb_parser.h"
 #include "surface/error_messages.h"
 #include "utility/stopwatch.h"
 
-#include <limits>
-#include <string>
+#include <optional>
+#include <string_view>
 #include <vector>
 
 namespace bspline_curve::cli {
@@ -16,8 +17,8 @@ namespace bspline_curve::cli {
 namespace {
 
 struct FillArguments : UseArguments {
-    HoleChoice choice;
-    FillShape shape = FillShape::Smooth;
+    FillRequest request;
+    std::optional<Vec3> seed;
 };
 
 struct FillParser {
@@ -28,31 +29,9 @@ struct FillParser {
             arguments.output,
             "Mesh to write: " + meshExtensions() + "; .ply has -1 as `label` of new faces"
         );
-        app.add_option(
-               "--shape",
-               shape,
-               "Whether patches go on in the tangent planes at their rims, or are "
-               "triangulations of these that bend least; default: smooth"
-        )
-            ->check(CLI::IsMember({"smooth", "flat"}).description(""))
-            ->type_name("smooth|flat");
-        const Interval<double> lengths{
-            .low = 0.0, .high = std::numeric_limits<double>::max(), .withLow = false
-        };
-        app.add_option(
-               "--max-length",
-               arguments.choice.mostLength,
-               "Leave holes open whose rim is longer than this, in the mesh's unit"
-        )
-            ->check(lengths.validator())
-            ->type_name("NUMBER");
-        app.add_option(
-               "--max-edges",
-               arguments.choice.mostEdges,
-               "Leave holes open whose rim has more edges than this"
-        )
-            ->check(atLeast(3).validator())
-            ->type_name("NUMBER");
+        for (const std::string_view id : {"shape", "max_length", "max_edges"}) {
+            described.add(id);
+        }
         app.add_option("--seed", seed, "Close the hole alone whose rim comes nearest to this point")
             ->delimiter(',')
             ->type_size(3)
@@ -61,9 +40,9 @@ struct FillParser {
     }
 
     FillArguments finish() {
-        arguments.shape = shape == "flat" ? FillShape::Flat : FillShape::Smooth;
+        arguments.request = fillRequest(described.values());
         if (!seed.empty()) {
-            arguments.choice.seed = Vec3(seed[0], seed[1], seed[2]);
+            arguments.seed = Vec3(seed[0], seed[1], seed[2]);
         }
         return arguments;
     }
@@ -78,7 +57,7 @@ struct FillParser {
         "bspline_curve fill"
     };
     FillArguments arguments;
-    std::string shape = "smooth";
+    DescribedOptions described{app, fillFilter()};
     std::vector<double> seed;
 };
 
@@ -87,8 +66,10 @@ ExitCode closeHoles(const FillArguments& arguments, ProgressBar& bar) {
     checkOutput(arguments.report);
     const ImprintedFile file = imprintedFile(arguments, {}, bar);
     Stopwatch watch;
+    HoleChoice choice = arguments.request.choice();
+    choice.seed = arguments.seed;
     const CutMeshes filled = holesFilled(
-        file.imprint, arguments.choice, arguments.shape, progressPart(bar, kImprintedShare, 1.0)
+        file.imprint, choice, arguments.request.shape, progressPart(bar, kImprintedShare, 1.0)
     );
     CutFigures figures{
         .doubledVertices = 0,

@@ -54,14 +54,19 @@ def test_those_that_are_chosen_are_closed(run, tmp_path, pierced, words, top, bo
 
 @pytest.mark.parametrize("words, status, said", [
     (("--max-edges", "3"), 1, "none of 2 holes is as small as that"),
-    (("--max-edges", "2"), 2, "must be >= 3"),
-    (("--max-length", "0"), 2, "must be > 0"),
+    (("--max-edges", "-1"), 2, "--max-edges"),
+    (("--max-length", "-1"), 2, "--max-length"),
     (("--shape", "round"), 2, "round"),
 ])
 def test_what_cannot_be_done_is_refused(run, tmp_path, pierced, words, status, said):
     process = run("fill", "pierced.ply", *words, "--output", "closed.ply")
     assert process.returncode == status and said in process.stderr
     assert not (tmp_path / "closed.ply").exists()
+
+
+def test_no_limit_closes_all(run, tmp_path, pierced):
+    run.ok("fill", "pierced.ply", "--max-edges", "0", "--max-length", "0", "--output", "closed.ply")
+    assert load(tmp_path / "closed.ply").is_watertight
 
 
 def test_a_closed_mesh_has_no_hole(run, tmp_path):
