@@ -25,6 +25,8 @@ constexpr double kLeastHeight = 0x1p-23;
 constexpr int kMostMoves = 8;
 /// A region is that much longer than what is in it, at either end.
 constexpr double kRegionMargin = 0.5;
+/// All pairs are gone through where more than one of so many faces has moved.
+constexpr int kMovedToTestAll = 8;
 constexpr std::size_t kFacesBetween = 4096;  // two calls of goOn
 
 }  // namespace
@@ -132,6 +134,17 @@ bool CrossingFinder::crossesPrepared(const Triangle& face) const {
     return isCrossed(near_) || std::ranges::any_of(patches_, isCrossed);
 }
 
+/// Which faces are not where they were the last time.
+std::vector<char> CrossingFinder::movedSinceLast(const Checked& now) const {
+    std::vector<char> hasMoved(now.faces.size(), 1);
+    if (now.faces == last_.faces) {
+        for (std::size_t f = 0; f < hasMoved.size(); ++f) {
+            hasMoved[f] = static_cast<char>(now.corners[f] != last_.corners[f]);
+        }
+    }
+    return hasMoved;
+}
+
 Crossings CrossingFinder::crossingsOf(const std::vector<Triangle>& faces, const GoOn& goOn) {
     std::size_t tested = 0;
     const auto tell = [&] {
@@ -139,27 +152,63 @@ Crossings CrossingFinder::crossingsOf(const std::vector<Triangle>& faces, const 
             goOn();
         }
     };
+    Checked now{.faces = faces, .corners = {}, .found = {}};
+    std::vector<char> isCounted;
     Box box;
     for (const Triangle& face : faces) {
         box.extend(boxOf(face));
+        now.corners.push_back({vertices_[face[0]], vertices_[face[1]], vertices_[face[2]]});
+        isCounted.push_back(static_cast<char>(counts(face)));
     }
     prepareNear(box);
     goOn();
-    Crossings found;
+
+    const std::vector<char> hasMoved = movedSinceLast(now);
+    const auto stays = [&](int face) { return face < std::ssize(faces) && hasMoved[face] == 0; };
+    auto& [pairs, withKept] = now.found;
+    std::ranges::copy_if(last_.found.pairs, std::back_inserter(pairs), [&](const auto& pair) {
+        return stays(pair.first) && stays(pair.second);
+    });
+    const auto test = [&](int i, int j) {
+        tell();
+        if (isCounted[i] != 0 && isCounted[j] != 0 && cross(faces[i], faces[j])) {
+            pairs.emplace_back(i, j);
+        }
+    };
     const TriangleTree tree(vertices_, faces);
     goOn();
-    tree.forEachOverlappingPair([&](int i, int j) {
-        tell();
-        if (counts(faces[i]) && counts(faces[j]) && cross(faces[i], faces[j])) {
-            found.pairs.emplace_back(i, j);
+    const auto count = static_cast<int>(faces.size());
+    if (kMovedToTestAll * std::ranges::count(hasMoved, 1) > count) {
+        tree.forEachOverlappingPair([&](int i, int j) {
+            if (!stays(i) || !stays(j)) {
+                test(i, j);
+            }
+        });
+    } else {
+        for (int i = 0; i < count; ++i) {
+            if (!stays(i)) {
+                tree.forEachOverlapping(i, [&](int j) {
+                    if (i != j && (i < j || stays(j))) {
+                        test(std::min(i, j), std::max(i, j));
+                    }
+                });
+            }
         }
-    });
-    std::ranges::sort(found.pairs);
-    found.withKept = indicesWhere<int>(faces.size(), [&](std::size_t f) {
+    }
+    std::ranges::sort(pairs);
+
+    std::vector<char> crossedKept(faces.size(), 0);
+    for (const int face : last_.found.withKept) {
+        if (face < count) {
+            crossedKept[face] = 1;
+        }
+    }
+    withKept = indicesWhere<int>(faces.size(), [&](std::size_t f) {
         tell();
-        return crossesPrepared(faces[f]);
+        return hasMoved[f] != 0 ? crossesPrepared(faces[f]) : crossedKept[f] != 0;
     });
-    return found;
+    last_ = std::move(now);
+    return last_.found;
 }
 
 }  // namespace bspline_curve

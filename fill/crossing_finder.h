@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include <array>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -39,7 +40,10 @@ public:
     );
 
     /// From now on these are kept as well. O(n log n).
-    void keep(const std::vector<Triangle>& faces) { patches_.push_back(madeReady(faces)); }
+    void keep(const std::vector<Triangle>& faces) {
+        patches_.push_back(madeReady(faces));
+        last_ = {};
+    }
 
     /// Whether a face is so narrow that rounding to single precision may turn it over.
     [[nodiscard]] bool isSliver(const Triangle& face) const;
@@ -47,7 +51,8 @@ public:
     /// O(log n) where few kept faces are near.
     [[nodiscard]] bool crossesKept(const Triangle& face);
 
-    /// O(n log n) where few faces overlap.
+    /// O(n log n) where few faces overlap. Of the same faces as the last time only those are tested
+    /// that have moved.
     [[nodiscard]] Crossings crossingsOf(
         const std::vector<Triangle>& faces, const GoOn& goOn = [] {}
     );
@@ -61,11 +66,18 @@ private:
         TriangleTree tree;
     };
 
+    struct Checked {
+        std::vector<Triangle> faces;
+        std::vector<std::array<Vec3, 3>> corners;
+        Crossings found;
+    };
+
     using Box = Eigen::AlignedBox3d;
 
     [[nodiscard]] Box boxOf(const Triangle& face) const;
     [[nodiscard]] std::unique_ptr<const Kept> madeReady(const std::vector<Triangle>& faces) const;
     void prepareNear(const Box& box);
+    [[nodiscard]] std::vector<char> movedSinceLast(const Checked& now) const;
     [[nodiscard]] bool crossesPrepared(const Triangle& face) const;
     [[nodiscard]] bool isBroad(const Triangle& face, double leastHeight) const;
     [[nodiscard]] bool counts(const Triangle& face) const;
@@ -78,6 +90,7 @@ private:
     int moves_ = 0;  // of the region
     std::unique_ptr<const Kept> near_;
     std::vector<std::unique_ptr<const Kept>> patches_;
+    Checked last_;
 };
 
 }  // namespace bspline_curve

@@ -388,28 +388,28 @@ private:
         for (const std::size_t most : {kSmallSheet, std::numeric_limits<std::size_t>::max()}) {
             const auto behind = sheetBeside(mesh_, rims_[rim_], true, most);
             const auto removed = beyond_.removed ? beyond_.removed(rim_, most) : std::nullopt;
-            if (removed && (!behind || removed->patch.faces.size() < behind->patch.faces.size())) {
-                return fillWith(*removed, removed->patch.points, progress);
+            if (removed && (!behind || removed->faces.size() < behind->faces.size())) {
+                return fillWith(*removed, progress);
             }
             if (behind) {
-                return fillWith(*behind, movedOff(*behind), progress);
+                return fillWith(movedOff(*behind), progress);
             }
         }
         return false;
     }
 
     /// Moves a sheet off the faces that it copies, so far as it crosses nothing.
-    [[nodiscard]] std::vector<Vec3> movedOff(const Sheet& sheet) {
-        const Patch& patch = sheet.patch;
-        std::vector<double> shares(patch.points.size(), kSheetMove);
-        Patch moved = patch;
+    [[nodiscard]] Patch movedOff(const Patch& sheet) {
+        const std::vector<Vec3> ways = waysOff(sheet);
+        std::vector<double> shares(ways.size(), kSheetMove);
+        Patch moved = sheet;
         for (int i = 0; i < kSheetHalvings; ++i) {
             for (std::size_t p = 0; p < shares.size(); ++p) {
-                moved.points[p] = patch.points[p] - shares[p] * patch.sizes[p] * sheet.normals[p];
+                moved.points[p] = sheet.points[p] + shares[p] * ways[p];
             }
             std::set<int> corners;
             for (const int face : checker_.badFaces(moved, false)) {
-                corners.insert(patch.faces[face].begin(), patch.faces[face].end());
+                corners.insert(sheet.faces[face].begin(), sheet.faces[face].end());
             }
             if (corners.empty()) {
                 break;
@@ -418,12 +418,10 @@ private:
                 shares[corner] *= 0.5;
             }
         }
-        return moved.points;
+        return moved;
     }
 
-    bool fillWith(const Sheet& sheet, std::vector<Vec3> points, const Progress& progress) {
-        Patch sound = sheet.patch;
-        sound.points = std::move(points);
+    bool fillWith(const Patch& sound, const Progress& progress) {
         accept(sound);
         return checker_.badFaces(sound, false).empty() &&
                accept(between(sound, stretched(sound), progress));

@@ -23,7 +23,7 @@ struct FillSurroundings {
     std::vector<double> sizes;  ///< for each vertex the length of edges around; empty: measured
     /// What was in a hole before, of which the number is given; where that is a disc of at most so
     /// many faces.
-    std::function<std::optional<Sheet>(std::size_t rim, std::size_t most)> removed;
+    std::function<std::optional<Patch>(std::size_t rim, std::size_t most)> removed;
 };
 
 struct FilledMesh {

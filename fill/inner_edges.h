@@ -41,11 +41,11 @@ public:
     explicit ChangedFaces(std::size_t count) : isChanged_(count, 0) {}
 
     /// False where one of the faces has changed already.
-    bool take(const InnerEdge& edge) {
-        if (isChanged_[edge.first] != 0 || isChanged_[edge.second] != 0) {
+    bool take(int first, int second) {
+        if (isChanged_[first] != 0 || isChanged_[second] != 0) {
             return false;
         }
-        isChanged_[edge.first] = isChanged_[edge.second] = 1;
+        isChanged_[first] = isChanged_[second] = 1;
         return true;
     }
 

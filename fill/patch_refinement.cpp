@@ -3,7 +3,7 @@
 
 #include "bspline_curve/progress.h"
 #include "fill/inner_edges.h"
-#include "surface/surface_point.h"
+#include "fill/patch_sides.h"
 #include "utility/go_on.h"
 
 #include <Eigen/Geometry>
@@ -11,10 +11,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <deque>
-#include <span>
-#include <unordered_set>
+#include <functional>
 
 namespace bspline_curve {
 
@@ -46,55 +44,14 @@ double sizeBetween(const Patch& patch, int a, int b) {
     );
 }
 
-/// Length over size; chords of the rim count more.
-double excess(const Patch& patch, const InnerEdge& edge) {
-    const double length = (patch.points[edge.a] - patch.points[edge.b]).norm();
-    const double size = sizeBetween(patch, edge.a, edge.b);
-    const bool isChord = patch.isOnRim(edge.a) && patch.isOnRim(edge.b);
-    return length / (size * (isChord ? kLongChordRelative : kLongRelative));
-}
-
-/// How many were too long.
-std::size_t halveLongEdges(Patch& patch, const GoOn& goOn) {
-    std::vector<std::pair<double, InnerEdge>> tooLong;
-    const std::vector<InnerEdge> edges = innerEdges(patch.faces);
-    goOn();
-    for (const InnerEdge& edge : edges) {
-        const double much = excess(patch, edge);
-        if (much > 1.0) {
-            tooLong.emplace_back(much, edge);
-        }
-    }
-    goOn();
-    std::ranges::stable_sort(tooLong, std::greater(), [](const auto& each) { return each.first; });
-    goOn();
-    ChangedFaces changed(patch.faces.size());
-    for (const auto& [much, edge] : tooLong) {
-        if (!changed.take(edge)) {
-            continue;
-        }
-        const auto& [a, b, c, d, first, second] = edge;
-        const auto middle = static_cast<int>(patch.points.size());
-        patch.points.emplace_back(0.5 * (patch.points[a] + patch.points[b]));
-        const double length = (patch.points[a] - patch.points[b]).norm();
-        patch.most.push_back(0.5 * (patch.most[a] + patch.most[b]));
-        patch.sizes.push_back(
-            std::min(
-                patch.most.back(),
-                std::min(patch.sizes[a], patch.sizes[b]) + 0.5 * kGrading * length
-            )
-        );
-        patch.faces[first] = {a, middle, c};
-        patch.faces[second] = {b, middle, d};
-        patch.faces.push_back({middle, b, c});
-        patch.faces.push_back({middle, a, d});
-    }
-    return tooLong.size();
-}
-
 Vec3 normalOf(const Patch& patch, int a, int b, int c) {
     const Vec3& p = patch.points[a];
     return (patch.points[b] - p).cross(patch.points[c] - p);
+}
+
+bool isObtuse(const Patch& patch, int apex, int b, int c) {
+    const Vec3& p = patch.points[apex];
+    return (patch.points[b] - p).dot(patch.points[c] - p) < 0.0;
 }
 
 double cotangentAt(const Patch& patch, int apex, int b, int c) {
@@ -105,8 +62,15 @@ double cotangentAt(const Patch& patch, int apex, int b, int c) {
 }
 
 /// Whether the other diagonal is Delaunay, and folds nothing.
-bool isBetterFlipped(const Patch& patch, const InnerEdge& edge) {
-    const auto& [a, b, c, d, first, second] = edge;
+bool isBetterFlipped(const Patch& patch, const PatchSides::Pair& pair) {
+    const int a = pair.a;
+    const int b = pair.b;
+    const int c = pair.c;
+    const int d = pair.d;
+    // Most angles are acute.
+    if (!isObtuse(patch, c, a, b) && !isObtuse(patch, d, a, b)) {
+        return false;
+    }
     if (cotangentAt(patch, c, a, b) + cotangentAt(patch, d, a, b) >= -kDelaunayMargin) {
         return false;
     }
@@ -114,39 +78,44 @@ bool isBetterFlipped(const Patch& patch, const InnerEdge& edge) {
     return normalOf(patch, c, d, b).dot(before) > 0.0 && normalOf(patch, d, c, a).dot(before) > 0.0;
 }
 
-/// Flips edges until none is better flipped, each again where one of its faces changed.
-class Flips {
+/// A patch while its edges are halved and flipped. Calls `goOn` within milliseconds.
+class RefinedPatch {
 public:
-    Flips(Patch& patch, const GoOn& goOn) : patch_(patch) {
-        Triangle none;
-        none.fill(-1);
-        beside_.assign(patch.faces.size(), none);
-        for (const InnerEdge& edge : innerEdges(patch.faces)) {
-            beside_[edge.first][cornerOf(patch.faces[edge.first], edge.c)] = edge.second;
-            beside_[edge.second][cornerOf(patch.faces[edge.second], edge.d)] = edge.first;
-        }
-        edges_.reserve(2 * patch.faces.size());
-        for (std::size_t f = 0; f < patch.faces.size(); ++f) {
-            if (f % kRoundsBetweenCalls == 0) {
-                goOn();
+    RefinedPatch(Patch& patch, const GoOn& goOn)
+        : patch_(patch), goOn_(goOn), sides_(patch.faces) {}
+
+    /// Halves edges that are too long, the longest ones first, each face once. How many there were.
+    std::size_t halveLongEdges() {
+        struct LongEdge {
+            double excess;
+            int face, k;
+        };
+
+        std::vector<LongEdge> tooLong;
+        forEachInnerSide([&](int face, int k) {
+            const double much = excess(face, k);
+            if (much > 1.0) {
+                tooLong.push_back({much, face, k});
             }
-            const Triangle& face = patch.faces[f];
-            for (int k = 0; k < 3; ++k) {
-                edges_.insert(keyOf(face[k], face[(k + 1) % 3]));
+        });
+        goOn_();
+        std::ranges::stable_sort(tooLong, std::greater(), &LongEdge::excess);
+        goOn_();
+        // New faces have changed, as those that were halved.
+        const auto count = static_cast<int>(patch_.faces.size());
+        ChangedFaces changed(patch_.faces.size());
+        for (const auto& [much, face, k] : tooLong) {
+            const int other = sides_.across(face, k);
+            if (other < count && changed.take(face, other)) {
+                halve(face, k);
             }
         }
+        return tooLong.size();
     }
 
-    /// Over all edges; may be called again after points have moved. Calls `goOn` within
-    /// milliseconds.
-    void run(const GoOn& goOn) {
-        for (int face = 0; face < static_cast<int>(patch_.faces.size()); ++face) {
-            for (int k = 0; k < 3; ++k) {
-                if (beside_[face][k] > face) {
-                    suspects_.push_back({face, k});
-                }
-            }
-        }
+    /// Flips edges until none is better flipped, each again where one of its faces changed.
+    void flip() {
+        forEachInnerSide([&](int face, int k) { suspects_.push_back({face, k}); });
         // An end also where rounding would have two edges take turns.
         std::size_t left = kMostFlips * patch_.faces.size();
         for (; !suspects_.empty() && left > 0; --left) {
@@ -154,78 +123,88 @@ public:
             suspects_.pop_front();
             tryFlip(face, k);
             if (left % kRoundsBetweenCalls == 0) {
-                goOn();
+                goOn_();
             }
         }
     }
 
 private:
     struct Side {
-        int face, k;  // opposite to corner k
+        int face, k;
     };
 
-    static std::uint64_t keyOf(int a, int b) {
-        const auto [low, high] = std::minmax(a, b);
-        return static_cast<std::uint64_t>(low) << 32U | static_cast<std::uint32_t>(high);
+    /// Once for each edge that has two faces.
+    template <class Visitor>
+    void forEachInnerSide(const Visitor& visit) {
+        for (int face = 0; face < static_cast<int>(patch_.faces.size()); ++face) {
+            if (face % static_cast<int>(kRoundsBetweenCalls) == 0) {
+                goOn_();
+            }
+            for (int k = 0; k < 3; ++k) {
+                if (sides_.across(face, k) > face) {
+                    visit(face, k);
+                }
+            }
+        }
     }
 
-    [[nodiscard]] bool isFree(int c, int d) const {
-        const auto [low, high] = std::minmax(c, d);
-        if (patch_.isOnRim(c) && patch_.isOnRim(d)) {
-            const double length = (patch_.points[c] - patch_.points[d]).norm();
-            const double size = sizeBetween(patch_, c, d);
-            if (length > kLongChordRelative * size) {
+    /// Length over size; chords of the rim count more.
+    [[nodiscard]] double excess(int face, int k) const {
+        const int a = patch_.faces[face][(k + 1) % 3];
+        const int b = patch_.faces[face][(k + 2) % 3];
+        const double length = (patch_.points[a] - patch_.points[b]).norm();
+        const bool isChord = patch_.isOnRim(a) && patch_.isOnRim(b);
+        return length /
+               (sizeBetween(patch_, a, b) * (isChord ? kLongChordRelative : kLongRelative));
+    }
+
+    void halve(int face, int k) {
+        const int a = patch_.faces[face][(k + 1) % 3];
+        const int b = patch_.faces[face][(k + 2) % 3];
+        const auto middle = static_cast<int>(patch_.points.size());
+        const double length = (patch_.points[a] - patch_.points[b]).norm();
+        patch_.points.emplace_back(0.5 * (patch_.points[a] + patch_.points[b]));
+        patch_.most.push_back(0.5 * (patch_.most[a] + patch_.most[b]));
+        patch_.sizes.push_back(
+            std::min(
+                patch_.most.back(),
+                std::min(patch_.sizes[a], patch_.sizes[b]) + 0.5 * kGrading * length
+            )
+        );
+        sides_.halve(face, k, middle);
+    }
+
+    /// Whether there may be an edge between the corners beyond a side.
+    [[nodiscard]] bool isFree(int face, int k, const PatchSides::Pair& pair) const {
+        const auto [low, high] = std::minmax(pair.c, pair.d);
+        if (patch_.isOnRim(low) && patch_.isOnRim(high)) {
+            const double length = (patch_.points[low] - patch_.points[high]).norm();
+            if (length > kLongChordRelative * sizeBetween(patch_, low, high)) {
                 return false;  // it would be halved again
             }
         }
-        return !edges_.contains(keyOf(c, d)) && !patch_.forbidden.contains({low, high});
+        return !patch_.forbidden.contains({low, high}) && !sides_.hasEdgeTo(face, k, pair.d);
     }
 
     void tryFlip(int face, int k) {
-        const int other = beside_[face][k];
-        if (other < 0) {
+        if (sides_.across(face, k) < 0) {
             return;
         }
-        const Triangle one = patch_.faces[face];
-        const int a = one[(k + 1) % 3];
-        const int b = one[(k + 2) % 3];
-        const int c = one[k];
-        const int j = (cornerOf(patch_.faces[other], a) + 1) % 3;
-        const int d = patch_.faces[other][j];
-        const InnerEdge edge{.a = a, .b = b, .c = c, .d = d, .first = face, .second = other};
-        if (!isBetterFlipped(patch_, edge) || !isFree(c, d)) {
+        const PatchSides::Pair pair = sides_.pairAt(face, k);
+        if (!isBetterFlipped(patch_, pair) || !isFree(face, k, pair)) {
             return;
         }
-        const Triangle besideOne = beside_[face];
-        const Triangle besideOther = beside_[other];
-        const int pastBC = besideOne[(k + 1) % 3];
-        const int pastCA = besideOne[(k + 2) % 3];
-        const int pastAD = besideOther[(j + 1) % 3];
-        const int pastDB = besideOther[(j + 2) % 3];
-        patch_.faces[face] = {c, d, b};
-        patch_.faces[other] = {d, c, a};
-        beside_[face] = {pastDB, pastBC, other};
-        beside_[other] = {pastCA, pastAD, face};
-        renameBeside(pastDB, other, face);
-        renameBeside(pastCA, face, other);
-        edges_.erase(keyOf(a, b));
-        edges_.insert(keyOf(c, d));
-        for (const int changed : {face, other}) {
+        sides_.flip(face, k);
+        for (const int changed : {face, pair.other}) {  // the new edge is opposite to corner 2
             suspects_.push_back({changed, 0});
             suspects_.push_back({changed, 1});
         }
     }
 
-    void renameBeside(int neighbour, int before, int after) {
-        if (neighbour >= 0) {
-            std::ranges::replace(beside_[neighbour], before, after);
-        }
-    }
-
     Patch& patch_;
-    std::vector<Triangle> beside_;  // the face across the side opposite to each corner, or -1
+    const GoOn& goOn_;
+    PatchSides sides_;
     std::deque<Side> suspects_;
-    std::unordered_set<std::uint64_t> edges_;
 };
 
 void relax(Patch& patch, Relaxing relaxing) {
@@ -267,24 +246,22 @@ void relaxAround(Patch& patch, const std::vector<int>& faces) {
 void refinePatch(Patch& patch, Relaxing relaxing, const Progress& progress, std::size_t mostFaces) {
     const bool isMoving = relaxing != Relaxing::None;
     int round = 0;
-    const auto goOn = [&] { report(progress, 1.0 - 1.0 / (1.0 + round), "refining a patch"); };
+    const GoOn goOn = [&] { report(progress, 1.0 - 1.0 / (1.0 + round), "refining a patch"); };
+    RefinedPatch refined(patch, goOn);
     if (isMoving) {
-        Flips(patch, goOn).run(goOn);
+        refined.flip();
     }
     for (; round < kMostRounds && patch.faces.size() <= mostFaces; ++round) {
         goOn();
-        const std::size_t tooLong = halveLongEdges(patch, goOn);
-        goOn();
+        const std::size_t tooLong = refined.halveLongEdges();
         if (isMoving) {
-            Flips flips(patch, goOn);
-            goOn();
-            flips.run(goOn);
+            refined.flip();
             for (int i = 0; i < kRelaxations; ++i) {
                 goOn();
                 relax(patch, relaxing);
             }
             goOn();
-            flips.run(goOn);
+            refined.flip();
         }
         if (tooLong <= patch.faces.size() / kFacesPerLongEdge) {
             return;

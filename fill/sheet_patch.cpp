@@ -138,7 +138,7 @@ void halveChords(Patch& patch) {
                 continue;
             }
             isDone = false;
-            if (changed.take(edge)) {
+            if (changed.take(first, second)) {
                 const auto middle = static_cast<int>(patch.points.size());
                 patch.points.emplace_back(0.5 * (patch.points[a] + patch.points[b]));
                 patch.faces[first] = {a, middle, c};
@@ -151,10 +151,11 @@ void halveChords(Patch& patch) {
 }
 
 /// A unit direction on whose side all of some unit normals are, as far as there is one: normals
-/// that are farthest from it are added, in turn.
+/// that are farthest from it are added, in turn, until none is far.
 Vec3 directionAlong(const std::vector<Vec3>& normals) {
     constexpr int kTurns = 50;
     constexpr double kShare = 0.2;
+    constexpr double kNearCosine = 0.7;
     Vec3 direction = Vec3::Zero();
     for (const Vec3& normal : normals) {
         direction += normal;
@@ -163,37 +164,17 @@ Vec3 directionAlong(const std::vector<Vec3>& normals) {
     for (int turn = 0; turn < kTurns; ++turn) {
         const auto farthest =
             std::ranges::min_element(normals, {}, [&](const Vec3& n) { return n.dot(direction); });
+        if (farthest->dot(direction) > kNearCosine) {
+            break;
+        }
         direction = (direction + kShare / (1.0 + 0.2 * turn) * *farthest).stableNormalized();
     }
     return direction;
 }
 
-void measure(Sheet& sheet) {
-    Patch& patch = sheet.patch;
-    std::vector<std::vector<Vec3>> normals(patch.points.size());
-    patch.sizes.assign(patch.points.size(), 0.0);
-    for (const Triangle& face : patch.faces) {
-        const Vec3& p = patch.points[face[0]];
-        const Vec3 normal =
-            (patch.points[face[1]] - p).cross(patch.points[face[2]] - p).stableNormalized();
-        for (int k = 0; k < 3; ++k) {
-            normals[face[k]].push_back(normal);
-            patch.sizes[face[k]] +=
-                (patch.points[face[(k + 1) % 3]] - patch.points[face[k]]).norm();
-        }
-    }
-    sheet.normals.assign(patch.points.size(), Vec3::Zero());
-    for (std::size_t i = 0; i < patch.points.size(); ++i) {
-        patch.sizes[i] /= static_cast<double>(normals[i].size());
-        if (!patch.isOnRim(static_cast<int>(i))) {
-            sheet.normals[i] = directionAlong(normals[i]);
-        }
-    }
-}
-
 }  // namespace
 
-std::optional<Sheet> sheetBeside(
+std::optional<Patch> sheetBeside(
     const TriangleMesh& mesh, const std::vector<int>& rim, bool isBehind, std::size_t most
 ) {
     DirectedEdges sides;
@@ -206,34 +187,50 @@ std::optional<Sheet> sheetBeside(
     if (faces.empty() || !isDisc(faces, sides)) {
         return std::nullopt;
     }
-    Sheet sheet;
+    Patch patch;
     std::map<int, int> pointOf;
     for (const int vertex : rim) {
-        pointOf.emplace(vertex, static_cast<int>(sheet.patch.points.size()));
-        sheet.patch.points.push_back(mesh.vertices[vertex]);
+        pointOf.emplace(vertex, static_cast<int>(patch.points.size()));
+        patch.points.push_back(mesh.vertices[vertex]);
     }
-    sheet.patch.rimCount = static_cast<int>(rim.size());
+    patch.rimCount = static_cast<int>(rim.size());
     for (const Triangle& face : faces) {
-        Triangle& copy = sheet.patch.faces.emplace_back();
+        Triangle& copy = patch.faces.emplace_back();
         for (int k = 0; k < 3; ++k) {
             const auto [at, isNew] =
-                pointOf.emplace(face[k], static_cast<int>(sheet.patch.points.size()));
+                pointOf.emplace(face[k], static_cast<int>(patch.points.size()));
             if (isNew) {
-                sheet.patch.points.push_back(mesh.vertices[face[k]]);
+                patch.points.push_back(mesh.vertices[face[k]]);
             }
             copy[k] = at->second;
         }
     }
     if (isBehind) {
-        halveChords(sheet.patch);
-    }
-    measure(sheet);
-    if (isBehind) {
-        for (Triangle& face : sheet.patch.faces) {
+        halveChords(patch);
+        for (Triangle& face : patch.faces) {
             std::swap(face[1], face[2]);
         }
     }
-    return sheet;
+    return patch;
+}
+
+std::vector<Vec3> waysOff(const Patch& patch) {
+    std::vector<std::vector<Vec3>> normals(patch.points.size());
+    std::vector<double> lengths(patch.points.size(), 0.0);
+    for (const Triangle& face : patch.faces) {
+        const Vec3& p = patch.points[face[0]];
+        const Vec3 normal =
+            (patch.points[face[1]] - p).cross(patch.points[face[2]] - p).stableNormalized();
+        for (int k = 0; k < 3; ++k) {
+            normals[face[k]].push_back(normal);
+            lengths[face[k]] += (patch.points[face[(k + 1) % 3]] - patch.points[face[k]]).norm();
+        }
+    }
+    std::vector<Vec3> ways(patch.points.size(), Vec3::Zero());
+    for (std::size_t i = patch.rimCount; i < ways.size(); ++i) {
+        ways[i] = lengths[i] / static_cast<double>(normals[i].size()) * directionAlong(normals[i]);
+    }
+    return ways;
 }
 
 }  // namespace bspline_curve

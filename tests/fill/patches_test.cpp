@@ -364,16 +364,15 @@ TEST(SheetBeside, CopiesADiscAndNothingElse) {
             rim.push_back(v);
         }
     }
-    const std::optional<Sheet> sheet = sheetBeside(cap, rim, true);
+    const std::optional<Patch> sheet = sheetBeside(cap, rim, true);
     ASSERT_TRUE(sheet);
-    EXPECT_GE(sheet->patch.faces.size(), cap.faces.size());
-    EXPECT_NEAR(
-        areaOf(sheet->patch.points, sheet->patch.faces), areaOf(cap.vertices, cap.faces), 1e-12
-    );
-    for (std::size_t i = 0; i < sheet->patch.points.size(); ++i) {
-        const bool isOnRim = sheet->patch.isOnRim(static_cast<int>(i));
-        EXPECT_EQ(sheet->normals[i].isZero(), isOnRim);
-        EXPECT_TRUE(isOnRim || sheet->normals[i].dot(sheet->patch.points[i]) > 0.9);
+    EXPECT_GE(sheet->faces.size(), cap.faces.size());
+    EXPECT_NEAR(areaOf(sheet->points, sheet->faces), areaOf(cap.vertices, cap.faces), 1e-12);
+    const std::vector<Vec3> ways = waysOff(*sheet);
+    for (std::size_t i = 0; i < sheet->points.size(); ++i) {
+        const bool isOnRim = sheet->isOnRim(static_cast<int>(i));
+        EXPECT_EQ(ways[i].isZero(), isOnRim);
+        EXPECT_TRUE(isOnRim || ways[i].normalized().dot(sheet->points[i]) < -0.9);  // turned over
     }
     EXPECT_TRUE(sheetBeside(cap, rim, true, cap.faces.size()));
     EXPECT_FALSE(sheetBeside(cap, rim, true, cap.faces.size() - 1));
