@@ -60,6 +60,9 @@ PolylineGraph polylinesOfCsv(const std::filesystem::path& file, std::string_view
         graph.edges.push_back({i - 1, i});
     }
     const CsvTable table = parseCsv(file, bytes);
+    if (table.records.empty()) {
+        return graph;
+    }
     const WrittenColumns written(table.records.front().fields);
     if (!written.isComplete() || table.records.size() != graph.points.size() + 1) {
         return graph;

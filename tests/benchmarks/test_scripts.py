@@ -237,6 +237,19 @@ def test_the_checks_of_imprints_see_what_is_wrong(bench_program, tmp_path):
     assert count < len(whole[0])
 
 
+def test_fits_are_measured_beside_what_is_known(script, tmp_path):
+    succeed(script("fits.py", "--quick", "--json", tmp_path / "f.json"))
+    told = json.loads((tmp_path / "f.json").read_text())
+    assert [(row["mesh"], row["noise"]) for row in told["strokes"]] == [
+        (mesh, noise) for mesh in ("bone", "bunny", "sphere", "torus") for noise in ("white", "smooth")]
+    for row in told["strokes"]:
+        assert 0.05 < row["least squares"] < 1.5 and row["off"] < 2 * row["least squares"]
+        assert 4 < row["control points"] < 25
+    labels = told["labels"]
+    assert labels["labels"] == 8 and labels["curves"] > 8 and labels["area"] < 0.01
+    assert labels["nearest junctions"] > 1e-3, "one point each"
+
+
 @needs("meshlib")
 def test_fills_are_measured_beside_those_of_others(script, tmp_path):
     succeed(script("fills.py", "--quick", "--json", tmp_path / "f.json"))

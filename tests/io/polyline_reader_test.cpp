@@ -187,6 +187,11 @@ TEST_F(PolylineReader, ReadsTextOfVtuAndRefusesWhatItCannot) {
     expectContains(refused("e.vtu", wrong), "names a point that is not there");
 }
 
+TEST_F(PolylineReader, RefusesCsvWithoutRecords) {
+    expectContains(refused("a.csv", "# x, y and z\n"), "no polyline");
+    expectContains(refused("b.csv", "\n \n"), "no polyline");
+}
+
 TEST_F(PolylineReader, RefusesDxfWithoutCurves) {
     expectContains(refused("c.dxf", "0\nSECTION\n2\nHEADER\n0\nENDSEC\n0\nEOF\n"), "ENTITIES");
     expectContains(refused("d.dxf", dxf("0 LINE 10 zero 20 0 11 1 21 1 ")), "not a finite number");
