@@ -35,6 +35,9 @@ struct FairingConstants {
     /// Of the Hessian's diagonal. Few paths need more than the first.
     double firstDamping = 1e-4, leastDamping = 1e-8, dampingGrowth = 6.0, dampingDecay = 0.25;
     int mostTrials = 6;  // of a step, each damped more
+    /// Paths that gain more than this share in a step go on, up to so many steps: they unfold.
+    double unfoldingShare = 0.02;
+    int mostUnfoldingSteps = 60;
     /// Of a point, in mean segments: farther away the derivatives say nothing of the surface.
     double longestStep = 1.0;
     /// A step is halved, so many times at most, where a point comes to lie farther from where it
@@ -45,8 +48,9 @@ struct FairingConstants {
     /// Cosine of the turn at a point beyond which a path is stuck in a cusp: from there no small
     /// step unfolds it.
     double cuspCosine = 0.0;
-    /// Times the length of the path before: what is longer goes round a part of the surface that
-    /// bends more.
+    /// Of a segment: what is farther from its target on it may have gone another way.
+    double astray = 0.1;
+    /// Times the length of the path before, and no longer: far round, it bends hardly less.
     double longest = 1.5;
     /// Of the energy, by which the bounds of picks hold a path back: on each level one after the
     /// other. The last leaves a path a hundredth of the bound inside.
@@ -109,29 +113,23 @@ public:
         }
     }
 
-    /// False where it has no length.
-    [[nodiscard]] bool comesToRest() {
-        if (!(chord_ > 0.0)) {
-            return false;
+    [[nodiscard]] bool hasLength() const { return chord_ > 0.0; }
+
+    void comeToRest(std::size_t level) {
+        const FairingLevel& at = kFairing.levels[level];
+        placeEvenly(at, level == 0);
+        if (near_.empty()) {
+            relax(at);
+            return;
         }
-        for (std::size_t i = 0; i < kFairing.levels.size(); ++i) {
-            const FairingLevel& level = kFairing.levels[i];
-            placeEvenly(level, i == 0);
-            if (near_.empty()) {
-                relax(level);
-                continue;
-            }
-            for (const double share : kFairing.barrierShares[i]) {
-                barrier_ = share * energy_.own;
-                energy_ = energyOf(now_, near_);
-                relax(level);
-            }
+        for (const double share : kFairing.barrierShares[level]) {
+            barrier_ = share * energy_.own;
+            energy_ = energyOf(now_, near_);
+            relax(at);
         }
-        return true;
     }
 
-    /// Nothing where points lie beyond a boundary, on parts of the surface that no short way joins,
-    /// or in a cusp, or where it has become much longer.
+    /// Nothing where points lie on parts of the surface that no short way joins, or in a cusp.
     [[nodiscard]] std::optional<PickPath> result() const {
         PickPath faired;
         faired.picks.resize(picks_.size());
@@ -139,7 +137,7 @@ public:
         auto stop = stops_.begin();
         for (std::size_t k = 0; k <= segmentCount(); ++k) {
             const Node& node = now_[k % size()];
-            if (node.foot.face >= extended_.surfaceFaceCount || isCusp(k % size())) {
+            if (isBeyondBoundary(extended_, node) || isCusp(k % size())) {
                 return std::nullopt;
             }
             if (k > 0) {
@@ -165,9 +163,6 @@ public:
             faired.path.points.back().point = faired.path.points.front().point;
         }
         passNearPicks(faired);
-        if (length > kFairing.longest * lengthBefore_) {
-            return std::nullopt;
-        }
         faired.divideParameters(length, options_.closed);
         return faired;
     }
@@ -264,9 +259,31 @@ private:
 
     // Puts a node that has been moved onto the surface.
     void settle(Node& node) const {
+        if (isBeyondBoundary(extended_, node)) {
+            putBack(extended_, finder_, node);
+        }
         node.foot.height = 0.0;
         node.position = extended_.position({node.foot.face, node.foot.barycentric()});
         node.normal = normalAt(node.foot, node.frame.direction);
+    }
+
+    // A node that has come from the start of a segment and is far from its target comes from the
+    // segment's end, where that leads nearer.
+    void comeFromNearer(
+        const std::vector<Node>& polyline, double place, const Vec3& target, Node& node
+    ) const {
+        const auto start = static_cast<std::size_t>(place);
+        const Node& end = polyline[(start + 1) % polyline.size()];
+        const double missed = (node.position - target).norm();
+        if (missed <= kFairing.astray * (end.position - polyline[start].position).norm()) {
+            return;
+        }
+        Node other = end;
+        finder_.move(target, other.foot, other.frame);
+        settle(other);
+        if ((other.position - target).norm() < missed) {
+            node = other;
+        }
     }
 
     // Gives near picks the segments of the new polyline at the same places.
@@ -289,7 +306,7 @@ private:
         if (isFirst) {
             bendToTangents(placement, picks_);
         }
-        now_ = std::move(placement.nodes);
+        const std::vector<Node> before = std::exchange(now_, std::move(placement.nodes));
         stops_ = std::move(placement.stops);
         isFixed_.assign(size(), 0);
         tangents_.assign(size(), Vec3::Zero());
@@ -306,8 +323,9 @@ private:
             moves.push_back({placement.targets[i], &now_[i].foot, &now_[i].frame});
         }
         static_cast<void>(finder_.moveAll(moves));
-        for (Node& node : now_) {
-            settle(node);
+        for (std::size_t i = 0; i < size(); ++i) {
+            settle(now_[i]);
+            comeFromNearer(before, placement.places[i], placement.targets[i], now_[i]);
         }
         for (const auto& [node, pick] : stops_) {
             if (pick >= 0) {
@@ -559,13 +577,13 @@ private:
         factor.clear();
         const auto add = [&](std::size_t i, std::size_t j, double value) {
             const auto [low, high] = std::minmax(i, j);
-            if (!isFixed(i) && !isFixed(j)) {
+            if (!isHeld(i) && !isHeld(j)) {
                 factor.add(static_cast<int>(high), static_cast<int>(low), &value, 1);
             }
         };
         Eigen::VectorXd right = -derivatives_.gradient;
         for (std::size_t i = 0; i < size(); ++i) {
-            if (isFixed(i)) {
+            if (isHeld(i)) {
                 const double one = 1.0;
                 factor.add(static_cast<int>(i), static_cast<int>(i), &one, 1);
                 right[static_cast<Eigen::Index>(i)] = 0.0;
@@ -581,16 +599,34 @@ private:
 
     void relax(const FairingLevel& level) {
         double damping = kFairing.firstDamping;
-        for (int step = 0; step < level.mostSteps; ++step) {
-            if (descend(damping) <= level.restShare) {
+        double gain = 1.0;
+        for (int step = 0; step < level.mostSteps ||
+                           (gain > kFairing.unfoldingShare && step < kFairing.mostUnfoldingSteps);
+             ++step) {
+            gain = descend(damping);
+            if (gain <= level.restShare) {
                 break;
             }
         }
     }
 
+    // Nodes at the boundary stay where the step would take them over it.
+    void holdAtBoundary() {
+        isHeld_ = isFixed_;
+        for (std::size_t i = 0; i < size(); ++i) {
+            if (!isFixed(i)) {
+                const double inwards = ways_[i].across.dot(inwardsAtBoundary(extended_, now_[i]));
+                isHeld_[i] = static_cast<char>(gradientAt(i) * inwards > 0.0);
+            }
+        }
+    }
+
+    [[nodiscard]] bool isHeld(std::size_t i) const { return isHeld_[i] != 0; }
+
     // One step; returns the share of the energy that it gains.
     double descend(double& damping) {
         differentiate();
+        holdAtBoundary();
         const double mean = energy_.length / static_cast<double>(segmentCount());
         for (int trial = 0; trial < kFairing.mostTrials; ++trial) {
             if (std::optional<Eigen::VectorXd> step = stepWith(damping)) {
@@ -602,7 +638,8 @@ private:
                 NearPicks near = near_;
                 near.follow(trial_, options_.closed);
                 const Energy after = energyOf(trial_, near);
-                if (isTrialNear_ && after.total < energy_.total) {
+                if (isTrialNear_ && after.total < energy_.total &&
+                    after.length <= kFairing.longest * lengthBefore_) {
                     const double gain = (energy_.total - after.total) / energy_.total;
                     std::swap(now_, trial_);
                     near_ = std::move(near);
@@ -621,7 +658,7 @@ private:
         trial_ = now_;
         std::vector<FibreProjector::Move> moves;
         for (std::size_t i = 0; i < size(); ++i) {
-            if (!isFixed(i)) {
+            if (!isHeld(i)) {
                 const Vec3 way = step[static_cast<Eigen::Index>(i)] * ways_[i].across;
                 FibreProjector::predict(way, now_[i].frame, trial_[i].foot);
                 moves.push_back({now_[i].position + way, &trial_[i].foot, &trial_[i].frame});
@@ -631,10 +668,11 @@ private:
         isTrialNear_ = true;
         auto move = moves.begin();
         for (std::size_t i = 0; i < size(); ++i) {
-            if (!isFixed(i)) {
+            if (!isHeld(i)) {
+                const bool isBeyond = isBeyondBoundary(extended_, trial_[i]);
                 settle(trial_[i]);
                 const double missed = (trial_[i].position - (move++)->p).norm();
-                isTrialNear_ = isTrialNear_ && missed <= kFairing.farthest * mean;
+                isTrialNear_ = isTrialNear_ && (isBeyond || missed <= kFairing.farthest * mean);
             }
         }
         for (std::size_t i = 0; i < segmentCount(); ++i) {
@@ -660,6 +698,7 @@ private:
     std::vector<std::size_t> nearNumbers_;  // of each of these, its index among the picks
     double barrier_ = 0.0;                  // strength, see NearPicks
     std::vector<char> isFixed_;             // by node: it is a pick
+    std::vector<char> isHeld_;              // by node: likewise, or at the boundary in this step
     std::vector<Vec3> tangents_;            // by node: of its pick; zero: none
     std::vector<NodeWay> ways_;             // by node
     Derivatives derivatives_;
@@ -677,7 +716,15 @@ std::optional<PickPath> fairedPath(
     const PathField& field
 ) {
     FairingPolyline polyline(extended, patches, path, options, leeways, field);
-    return polyline.comesToRest() ? polyline.result() : std::nullopt;
+    if (!polyline.hasLength()) {
+        return std::nullopt;
+    }
+    polyline.comeToRest(0);
+    // Around thin parts of the surface new points may come to lie elsewhere.
+    const FairingPolyline coarse = polyline;
+    polyline.comeToRest(1);
+    std::optional<PickPath> result = polyline.result();
+    return result ? result : coarse.result();
 }
 
 }  // namespace bspline_curve

@@ -31,10 +31,11 @@ struct PathField {
 ///
 /// By Gauss-Newton steps of one unknown per point, its move across the path, on ever more points.
 /// The time hardly depends on how many faces lie between; about 1 microsecond per point and step.
+/// It stays on the surface: points that come to its boundary stay there until the energy draws them
+/// inwards. And it becomes no longer than one and a half times the path before.
 ///
-/// Nothing either where it comes to rest in a cusp or half again as long; from another path it may
-/// not. `options`: closed and tension (lambda). `patches`: see FibreProjector. Nothing where the
-/// path leaves the surface over its boundary, or has no length.
+/// Nothing where it comes to rest in a cusp; from another path it may not. Nothing either where it
+/// has no length. `options`: closed and tension (lambda). `patches`: see FibreProjector.
 ///
 /// `leeways`: how near it keeps to each pick (empty: it passes all); the picks of the result are
 /// the points of the path nearest to them, with ascending parameters, and may be the same. Bounds

@@ -23,4 +23,14 @@ struct SurfaceNode {
     const SurfaceNode& to
 );
 
+/// Whether a node has left the surface over its boundary.
+[[nodiscard]] bool isBeyondBoundary(const ExtendedSurface& extended, const SurfaceNode& node);
+
+/// Puts a node from beyond the boundary onto the surface beside it, a little inside.
+void putBack(const ExtendedSurface& extended, const FibreProjector& finder, SurfaceNode& node);
+
+/// Where a node lies at the boundary, as putBack() leaves it: a direction in its face from the
+/// boundary inwards. Zero elsewhere.
+[[nodiscard]] Vec3 inwardsAtBoundary(const ExtendedSurface& extended, const SurfaceNode& node);
+
 }  // namespace bspline_curve

@@ -173,6 +173,29 @@ TEST(FairedCurves, StayOnASurfaceThatEnds) {
     );
 }
 
+// Where picks turn back curves go round in an arc, beside the boundary as well, and on it.
+TEST(FairedCurves, UnfoldWherePicksTurnBack) {
+    const CurveDesigner plate(jitteredPlate(40, 40, 0.2, 3));
+
+    struct Set {
+        std::vector<Vec3> picks;
+        double mostShare;  // of the bending of the parametric curve
+    };
+
+    const std::vector<Set> sets = {
+        {{{0.3, 0.1, 0}, {0.32, 0.97, 0}, {0.5, 0.1, 0}}, 0.2},
+        {{{0.3, 0.9, 0}, {0.5, 1.0, 0}, {0.45, 0.9, 0}}, 0.25},
+        {{{0.2, 0.5, 0}, {0.5, 0.52, 0}, {0.45, 0.48, 0}, {0.8, 0.55, 0}}, 0.35},
+    };
+    for (const auto& [picks, mostShare] : sets) {
+        SCOPED_TRACE(mostShare);
+        const Curve curve = goodCurve(plate, picks);
+        const Curve before = parametric(plate, picks);
+        EXPECT_LT(bendingOnPlate(curve), mostShare * bendingOnPlate(before));
+        EXPECT_LT(length(curve.polyline), 1.6 * length(before.polyline));
+    }
+}
+
 // Where a weak field begins to pull, no other curve takes over.
 TEST(FairedCurves, GiveWayToAFieldLittleByLittle) {
     const TriangleMesh mesh = icosphere(4);
