@@ -723,8 +723,8 @@ std::optional<PickPath> fairedPath(
     // Around thin parts of the surface new points may come to lie elsewhere.
     const FairingPolyline coarse = polyline;
     polyline.comeToRest(1);
-    std::optional<PickPath> result = polyline.result();
-    return result ? result : coarse.result();
+    std::optional<PickPath> fine = polyline.result();
+    return fine ? std::move(fine) : coarse.result();
 }
 
 }  // namespace bspline_curve

@@ -145,39 +145,29 @@ std::vector<char> CrossingFinder::movedSinceLast(const Checked& now) const {
     return hasMoved;
 }
 
-Crossings CrossingFinder::crossingsOf(const std::vector<Triangle>& faces, const GoOn& goOn) {
-    std::size_t tested = 0;
-    const auto tell = [&] {
-        if (++tested % kFacesBetween == 0) {
-            goOn();
-        }
-    };
-    Checked now{.faces = faces, .corners = {}, .found = {}};
-    std::vector<char> isCounted;
-    Box box;
-    for (const Triangle& face : faces) {
-        box.extend(boxOf(face));
-        now.corners.push_back({vertices_[face[0]], vertices_[face[1]], vertices_[face[2]]});
-        isCounted.push_back(static_cast<char>(counts(face)));
-    }
-    prepareNear(box);
-    goOn();
-
-    const std::vector<char> hasMoved = movedSinceLast(now);
-    const auto stays = [&](int face) { return face < std::ssize(faces) && hasMoved[face] == 0; };
-    auto& [pairs, withKept] = now.found;
+/// Of faces that cross each other, those of which one has moved at least, and what was found of the
+/// others the last time. Ascending.
+std::vector<std::pair<int, int>> CrossingFinder::crossingPairs(
+    const std::vector<Triangle>& faces, const std::vector<char>& hasMoved, const GoOn& tell
+) const {
+    const auto count = static_cast<int>(faces.size());
+    const auto stays = [&](int face) { return face < count && hasMoved[face] == 0; };
+    std::vector<std::pair<int, int>> pairs;
     std::ranges::copy_if(last_.found.pairs, std::back_inserter(pairs), [&](const auto& pair) {
         return stays(pair.first) && stays(pair.second);
     });
+    std::vector<char> isCounted;
+    for (const Triangle& face : faces) {
+        isCounted.push_back(static_cast<char>(counts(face)));
+    }
+    const TriangleTree tree(vertices_, faces);
+    tell();
     const auto test = [&](int i, int j) {
         tell();
         if (isCounted[i] != 0 && isCounted[j] != 0 && cross(faces[i], faces[j])) {
             pairs.emplace_back(i, j);
         }
     };
-    const TriangleTree tree(vertices_, faces);
-    goOn();
-    const auto count = static_cast<int>(faces.size());
     if (kMovedToTestAll * std::ranges::count(hasMoved, 1) > count) {
         tree.forEachOverlappingPair([&](int i, int j) {
             if (!stays(i) || !stays(j)) {
@@ -186,26 +176,46 @@ Crossings CrossingFinder::crossingsOf(const std::vector<Triangle>& faces, const 
         });
     } else {
         for (int i = 0; i < count; ++i) {
+            const auto testOnce = [&](int j) {
+                if (i < j || (i != j && stays(j))) {
+                    test(std::min(i, j), std::max(i, j));
+                }
+            };
             if (!stays(i)) {
-                tree.forEachOverlapping(i, [&](int j) {
-                    if (i != j && (i < j || stays(j))) {
-                        test(std::min(i, j), std::max(i, j));
-                    }
-                });
+                tree.forEachOverlapping(i, testOnce);
             }
         }
     }
     std::ranges::sort(pairs);
+    return pairs;
+}
 
-    std::vector<char> crossedKept(faces.size(), 0);
+Crossings CrossingFinder::crossingsOf(const std::vector<Triangle>& faces, const GoOn& goOn) {
+    std::size_t tested = 0;
+    const auto tell = [&] {
+        if (++tested % kFacesBetween == 0) {
+            goOn();
+        }
+    };
+    Checked now{.faces = faces, .corners = {}, .found = {}};
+    Box box;
+    for (const Triangle& face : faces) {
+        box.extend(boxOf(face));
+        now.corners.push_back({vertices_[face[0]], vertices_[face[1]], vertices_[face[2]]});
+    }
+    prepareNear(box);
+    goOn();
+    const std::vector<char> hasMoved = movedSinceLast(now);
+    now.found.pairs = crossingPairs(faces, hasMoved, tell);
+    std::vector<char> crossesKept(faces.size(), 0);
     for (const int face : last_.found.withKept) {
-        if (face < count) {
-            crossedKept[face] = 1;
+        if (face < std::ssize(faces)) {
+            crossesKept[face] = 1;
         }
     }
-    withKept = indicesWhere<int>(faces.size(), [&](std::size_t f) {
+    now.found.withKept = indicesWhere<int>(faces.size(), [&](std::size_t f) {
         tell();
-        return hasMoved[f] != 0 ? crossesPrepared(faces[f]) : crossedKept[f] != 0;
+        return hasMoved[f] != 0 ? crossesPrepared(faces[f]) : crossesKept[f] != 0;
     });
     last_ = std::move(now);
     return last_.found;

@@ -78,6 +78,9 @@ private:
     [[nodiscard]] std::unique_ptr<const Kept> madeReady(const std::vector<Triangle>& faces) const;
     void prepareNear(const Box& box);
     [[nodiscard]] std::vector<char> movedSinceLast(const Checked& now) const;
+    [[nodiscard]] std::vector<std::pair<int, int>> crossingPairs(
+        const std::vector<Triangle>& faces, const std::vector<char>& hasMoved, const GoOn& tell
+    ) const;
     [[nodiscard]] bool crossesPrepared(const Triangle& face) const;
     [[nodiscard]] bool isBroad(const Triangle& face, double leastHeight) const;
     [[nodiscard]] bool counts(const Triangle& face) const;
