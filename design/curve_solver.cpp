@@ -48,6 +48,8 @@ struct StrategyConstants {
     /// beside it, beyond so many times what its path does: less is hardly seen, and round a limb
     /// the path does so too.
     double mostOverrun = 0.02, overrunOfPath = 2.0;
+    /// Of faired paths from the boundary, in distance tolerances: splines are off by one sometimes.
+    double clearance = 2.0;
     /// It has these shares of its weight then, one after the other: most curves need a quarter or
     /// less than is left of a usual field, and each attempt costs as much as the first.
     std::array<double, 2> weakerShares = {0.25, 1.0 / 256.0};
@@ -216,6 +218,11 @@ double CurveSolver::fairedStrength() const {
     return strength > kStrategy.leastFairing ? strength : 0.0;
 }
 
+// Of a faired path from the boundary: the spline beside it is not to run past that.
+double CurveSolver::clearance() const {
+    return kStrategy.clearance * distanceToleranceOf(prepared_, options_);
+}
+
 // Along the path of least bending. `unfaired`: the problem along `path`.
 std::optional<Solved> CurveSolver::relaxFaired(
     const PickPath& path,
@@ -227,7 +234,7 @@ std::optional<Solved> CurveSolver::relaxFaired(
         return std::nullopt;
     }
     const std::optional<PickPath> faired =
-        fairedPath(*prepared_.extended(), &prepared_.patches(), path, options_);
+        fairedPath(*prepared_.extended(), &prepared_.patches(), path, options_, clearance());
     if (!faired) {
         return std::nullopt;
     }
@@ -250,7 +257,9 @@ std::optional<PickPath> CurveSolver::pathNear(std::span<const PickLeeway> leeway
     if (hasPull(problem)) {
         field = {problem.field, options_.fieldCost, fieldWeight(problem)};
     }
-    return fairedPath(*prepared_.extended(), &prepared_.patches(), quick, options_, leeways, field);
+    return fairedPath(
+        *prepared_.extended(), &prepared_.patches(), quick, options_, clearance(), leeways, field
+    );
 }
 
 std::optional<Solved> CurveSolver::solveAlong(

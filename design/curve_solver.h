@@ -110,6 +110,7 @@ private:
         const ObtainedShell& whole, const Progress& progress
     ) const;
     [[nodiscard]] double fairedStrength() const;
+    [[nodiscard]] double clearance() const;
 
     [[nodiscard]] bool isFaired() const { return fairedStrength() > 0.0; }
 

@@ -5,6 +5,7 @@
 #include "design/node_spread.h"
 #include "design/path_turn.h"
 #include "design/surface_walk.h"
+#include "projection/curve_trace.h"
 #include "spline/band_cholesky.h"
 #include "surface/surface_point.h"
 
@@ -50,6 +51,10 @@ struct FairingConstants {
     double cuspCosine = 0.0;
     /// Of a segment: what is farther from its target on it may have gone another way.
     double astray = 0.1;
+    /// Of the length of the path: the radius of an arc that passes along the boundary at a pick.
+    double radiusShare = 0.25;
+    /// Cosine between the way of a point and the way out, above which it does not slide along.
+    double straight = 0.5;
     /// Times the length of the path before, and no longer: far round, it bends hardly less.
     double longest = 1.5;
     /// Of the energy, by which the bounds of picks hold a path back: on each level one after the
@@ -66,6 +71,7 @@ public:
         const PatchLevels* patches,
         const PickPath& path,
         const SolverOptions& options,
+        double clearance,
         std::span<const PickLeeway> leeways,
         const PathField& field
     )
@@ -73,6 +79,7 @@ public:
           finder_(extended, patches),
           options_(options),
           field_(field),
+          clearance_(clearance),
           picks_(path.picks),
           lengthBefore_(path.path.length()),
           chord_(polygonLength(path.picks, options.closed)) {
@@ -137,7 +144,7 @@ public:
         auto stop = stops_.begin();
         for (std::size_t k = 0; k <= segmentCount(); ++k) {
             const Node& node = now_[k % size()];
-            if (isBeyondBoundary(extended_, node) || isCusp(k % size())) {
+            if (isBeyond(node) || isCusp(k % size())) {
                 return std::nullopt;
             }
             if (k > 0) {
@@ -222,6 +229,33 @@ private:
         std::vector<std::array<double, 3>> rows;
     };
 
+    [[nodiscard]] BoundaryGuard guard() const { return {extended_, finder_}; }
+
+    // Of a node. Beside a pick at the boundary it is none, since an arc passes along it there.
+    [[nodiscard]] double clearanceOf(const Node& node) const {
+        double share = 1.0;
+        for (const Vec3& pick : picksAtBoundary_) {
+            const double free = std::sqrt(kFairing.radiusShare * lengthBefore_ * 2.0 * clearance_);
+            share = std::min(share, (node.position - pick).norm() / free - 1.0);
+        }
+        return std::max(0.0, share) * clearance_;
+    }
+
+    [[nodiscard]] bool isBeyond(const Node& node) const {
+        return node.foot.face >= extended_.surfaceFaceCount;
+    }
+
+    // Of the nodes of the first polyline.
+    void findPicksAtBoundary() {
+        std::vector<Vec3> found;
+        for (const auto& [node, pick] : stops_) {
+            if (pick >= 0 && guard().isNear(now_[node], clearance_)) {
+                found.push_back(picks_[pick].position);
+            }
+        }
+        picksAtBoundary_ = std::move(found);
+    }
+
     [[nodiscard]] std::size_t size() const { return now_.size(); }
 
     [[nodiscard]] std::size_t segmentCount() const { return size() - (options_.closed ? 0 : 1); }
@@ -259,8 +293,10 @@ private:
 
     // Puts a node that has been moved onto the surface.
     void settle(Node& node) const {
-        if (isBeyondBoundary(extended_, node)) {
-            putBack(extended_, finder_, node);
+        if (isBeyond(node)) {
+            node.position =
+                extended_.position(onSurface(extended_, node.foot.face, node.foot.barycentric()));
+            guard().putBack(node, clearanceOf(node));
         }
         node.foot.height = 0.0;
         node.position = extended_.position({node.foot.face, node.foot.barycentric()});
@@ -331,6 +367,9 @@ private:
             if (pick >= 0) {
                 now_[node].position = picks_[pick].position;
             }
+        }
+        if (isFirst) {
+            findPicksAtBoundary();
         }
         placeNearPicks(placement.places);
         trial_ = now_;
@@ -610,13 +649,29 @@ private:
         }
     }
 
-    // Nodes at the boundary stay where the step would take them over it.
+    // Settles a node that has moved. Whether it came too near to the boundary, or nearer than it
+    // was, and was put back.
+    [[nodiscard]] bool stopAtBoundary(const Node& from, Node& to) const {
+        const bool isOut = isBeyond(to);
+        settle(to);
+        const double clearance = std::min(clearanceOf(to), guard().distanceOf(from));
+        if (guard().distanceOf(to) >= clearance || guard().inwardsAt(to, clearance).isZero(0.0)) {
+            return isOut;
+        }
+        guard().putBack(to, clearance);
+        settle(to);
+        return true;
+    }
+
+    // Nodes at the boundary stay where the step would take them straight over it.
     void holdAtBoundary() {
         isHeld_ = isFixed_;
         for (std::size_t i = 0; i < size(); ++i) {
             if (!isFixed(i)) {
-                const double inwards = ways_[i].across.dot(inwardsAtBoundary(extended_, now_[i]));
-                isHeld_[i] = static_cast<char>(gradientAt(i) * inwards > 0.0);
+                const Vec3& across = ways_[i].across;
+                const double inwards = across.dot(guard().inwardsAt(now_[i], clearanceOf(now_[i])));
+                const bool isStraight = std::abs(inwards) > kFairing.straight * across.norm();
+                isHeld_[i] = static_cast<char>(isStraight && gradientAt(i) * inwards > 0.0);
             }
         }
     }
@@ -669,10 +724,9 @@ private:
         auto move = moves.begin();
         for (std::size_t i = 0; i < size(); ++i) {
             if (!isHeld(i)) {
-                const bool isBeyond = isBeyondBoundary(extended_, trial_[i]);
-                settle(trial_[i]);
+                const bool isStopped = stopAtBoundary(now_[i], trial_[i]);
                 const double missed = (trial_[i].position - (move++)->p).norm();
-                isTrialNear_ = isTrialNear_ && (isBeyond || missed <= kFairing.farthest * mean);
+                isTrialNear_ = isTrialNear_ && (isStopped || missed <= kFairing.farthest * mean);
             }
         }
         for (std::size_t i = 0; i < segmentCount(); ++i) {
@@ -687,6 +741,8 @@ private:
     FibreProjector finder_;
     const SolverOptions& options_;
     const PathField& field_;
+    double clearance_;                   // from the boundary
+    std::vector<Vec3> picksAtBoundary_;  // no farther from it than that
     const std::vector<PickConstraint>& picks_;
     double lengthBefore_;  // of the path, before it is faired
     double chord_;         // length of the polygon of picks
@@ -712,10 +768,11 @@ std::optional<PickPath> fairedPath(
     const PatchLevels* patches,
     const PickPath& path,
     const SolverOptions& options,
+    double clearance,
     std::span<const PickLeeway> leeways,
     const PathField& field
 ) {
-    FairingPolyline polyline(extended, patches, path, options, leeways, field);
+    FairingPolyline polyline(extended, patches, path, options, clearance, leeways, field);
     if (!polyline.hasLength()) {
         return std::nullopt;
     }

@@ -31,8 +31,9 @@ struct PathField {
 ///
 /// By Gauss-Newton steps of one unknown per point, its move across the path, on ever more points.
 /// The time hardly depends on how many faces lie between; about 1 microsecond per point and step.
-/// It stays on the surface: points that come to its boundary stay there until the energy draws them
-/// inwards. And it becomes no longer than one and a half times the path before.
+/// It stays on the surface: points that come as near to its boundary as the clearance (in the
+/// shell's frame, > 0) stay there until the energy draws them inwards. And it becomes no longer
+/// than one and a half times the path before.
 ///
 /// Nothing where it comes to rest in a cusp; from another path it may not. Nothing either where it
 /// has no length. `options`: closed and tension (lambda). `patches`: see FibreProjector.
@@ -45,6 +46,7 @@ struct PathField {
     const PatchLevels* patches,
     const PickPath& path,
     const SolverOptions& options,
+    double clearance,
     std::span<const PickLeeway> leeways = {},
     const PathField& field = {}
 );

@@ -23,14 +23,39 @@ struct SurfaceNode {
     const SurfaceNode& to
 );
 
-/// Whether a node has left the surface over its boundary.
-[[nodiscard]] bool isBeyondBoundary(const ExtendedSurface& extended, const SurfaceNode& node);
+/// Keeps nodes away from the boundary of a surface, as far as a clearance (>= 0) says; where faces
+/// beside it are narrow, by a third of their height. All in the shell's frame, O(1) each.
+class BoundaryGuard {
+public:
+    BoundaryGuard(const ExtendedSurface& extended, const FibreProjector& finder)
+        : extended_(extended), finder_(finder) {}
 
-/// Puts a node from beyond the boundary onto the surface beside it, a little inside.
-void putBack(const ExtendedSurface& extended, const FibreProjector& finder, SurfaceNode& node);
+    /// How far it is to the boundary in the face of a node; infinite where that is not beside it.
+    [[nodiscard]] double distanceOf(const SurfaceNode& node) const;
 
-/// Where a node lies at the boundary, as putBack() leaves it: a direction in its face from the
-/// boundary inwards. Zero elsewhere.
-[[nodiscard]] Vec3 inwardsAtBoundary(const ExtendedSurface& extended, const SurfaceNode& node);
+    /// Whether a node is no farther from the boundary than the clearance, in its face or in a
+    /// corner of that. O(d) for d faces around a corner.
+    [[nodiscard]] bool isNear(const SurfaceNode& node, double clearance) const;
+
+    /// Where a node is no farther from the boundary than it has to be: a unit direction in its face
+    /// from the boundary inwards. Zero elsewhere.
+    [[nodiscard]] Vec3 inwardsAt(const SurfaceNode& node, double clearance) const;
+
+    /// Puts a node that is beyond the boundary, or too near to it, where it is near enough.
+    void putBack(SurfaceNode& node, double clearance) const;
+
+private:
+    struct Side {
+        int corner = -1;      ///< opposite to it; -1: none
+        double height = 0.0;  ///< of that corner over the side
+        double share = 0.0;   ///< of the node, of that corner
+    };
+
+    [[nodiscard]] Side sideOf(const SurfaceNode& node) const;
+    [[nodiscard]] bool isOnBoundary(int face, int corner) const;
+
+    const ExtendedSurface& extended_;
+    const FibreProjector& finder_;
+};
 
 }  // namespace bspline_curve

@@ -380,30 +380,30 @@ DistanceBeams::DistanceBeams(
 SidedDistance DistanceBeams::inOneFace(const SurfacePoint& point) const {
     const Triangle& face = surface_->faces()[point.face];
     SidedDistance best;
+    if (!beams_[point.face].empty()) {
+        std::array<Vec2, 3> positions;
+        double size = 0.0;
+        for (int frame = 0; frame < 3; ++frame) {
+            const FaceLayout layout(surface_->vertices(), face, frame);
+            positions[frame] = layout.position(point.barycentric);
+            size = layout.size();
+        }
+        for (const DistanceBeam& beam : beams_[point.face]) {
+            const Vec2& q = positions[beam.frame];
+            const double distance = beam.distance(q);
+            if (distance < best.distance && distance >= -kSlack * size &&
+                beam.contains(q, kSlack * size)) {
+                best = {.distance = std::max(distance, 0.0), .side = beam.side};
+            }
+        }
+    }
+    // A vertex has one side, also where a line passes through it: beams from there know better.
     const Vec3 position = surface_->position(point);
     for (const int vertex : face) {
         const SidedDistance& corner = vertices_[vertex];
         const double distance = corner.distance + (position - surface_->vertices()[vertex]).norm();
-        if (distance < best.distance) {
+        if (distance < (1.0 - kSlack) * best.distance) {
             best = {.distance = distance, .side = corner.side};
-        }
-    }
-    if (beams_[point.face].empty()) {
-        return best;
-    }
-    std::array<Vec2, 3> positions;
-    double size = 0.0;
-    for (int frame = 0; frame < 3; ++frame) {
-        const FaceLayout layout(surface_->vertices(), face, frame);
-        positions[frame] = layout.position(point.barycentric);
-        size = layout.size();
-    }
-    for (const DistanceBeam& beam : beams_[point.face]) {
-        const Vec2& q = positions[beam.frame];
-        const double distance = beam.distance(q);
-        if (distance < best.distance && distance >= -kSlack * size &&
-            beam.contains(q, kSlack * size)) {
-            best = {.distance = std::max(distance, 0.0), .side = beam.side};
         }
     }
     return best;
