@@ -65,6 +65,7 @@ class MeshLabWindow:
 
     def __enter__(self):
         write_settings(self.display)
+        self.display.keep_managed()
         self._log_path = self.display.home / "meshlab.log"
         with open(self._log_path, "wb") as log:
             self._process = self.display.start([self.program, *self.files], output=log, **self._environment)

@@ -35,6 +35,7 @@ class VirtualDisplay:
         self.width, self.height = width, height
         self.environment = None
         self._processes = []
+        self._manager = None
         self._folder = None
 
     @classmethod
@@ -57,8 +58,7 @@ class VirtualDisplay:
                 "LIBGL_ALWAYS_SOFTWARE": "1",
                 "LC_ALL": "C.UTF-8",
             }
-            self.start(["openbox"])
-            wait_until(lambda: self.xdotool("get_num_desktops"), "the window manager")
+            self.keep_managed()
         except BaseException:
             self._end()
             raise
@@ -79,6 +79,12 @@ class VirtualDisplay:
         )
         self._processes.append(process)
         return process
+
+    def keep_managed(self):
+        """Starts the window manager where none runs: without one windows are not maximised, and all later tests would fail."""
+        if self._manager is None or self._manager.poll() is not None:
+            self._manager = self.start(["openbox"])
+            wait_until(lambda: self.xdotool("get_num_desktops"), "the window manager")
 
     def run(self, command, timeout=300, cwd=None, **environment):
         """Runs a program on this display to its end."""
