@@ -87,7 +87,7 @@ class MeshLabWindow:
         if error is not None:
             with tempfile.NamedTemporaryFile(prefix="meshlab-", suffix=".png", delete=False) as file:
                 self.display.picture().save(file, "PNG")
-            error.add_note(f"The display as it was then: {file.name}. The log: {self.log()}")
+            error.add_note(f"The display as it was then: {file.name}. The log: {self.log()}; {self.display.state_of_manager()}")
         self._end()
 
     # ---- what MeshLab says ----

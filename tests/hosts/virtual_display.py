@@ -83,8 +83,15 @@ class VirtualDisplay:
     def keep_managed(self):
         """Starts the window manager where none runs: without one windows are not maximised, and all later tests would fail."""
         if self._manager is None or self._manager.poll() is not None:
-            self._manager = self.start(["openbox"])
+            with open(self._folder / "openbox.log", "ab") as log:
+                self._manager = self.start(["openbox"], output=log)
             wait_until(lambda: self.xdotool("get_num_desktops"), "the window manager")
+
+    def state_of_manager(self):
+        """Whether the window manager runs, and what it said."""
+        ended = self._manager.poll()
+        state = "runs" if ended is None else f"ended with {ended}"
+        return f"the window manager {state}: {(self._folder / 'openbox.log').read_text(errors='replace')!r}"
 
     def run(self, command, timeout=300, cwd=None, **environment):
         """Runs a program on this display to its end."""
