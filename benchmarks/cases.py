@@ -72,6 +72,13 @@ def midpoint_subdivided(vertices, faces):
     return np.vstack([vertices, vertices[ends].mean(1)]), split.reshape(-1, 3)
 
 
+def resampled(line, count):
+    """So many points at equal steps along a polyline."""
+    at = np.r_[0, np.cumsum(np.linalg.norm(np.diff(line, axis=0), axis=1))]
+    even = np.linspace(0, at[-1], count)
+    return np.stack([np.interp(even, at, line[:, k]) for k in range(3)], 1)
+
+
 def largest_component(faces, count):
     """The vertices of the component with most faces."""
     label = np.arange(count)

@@ -22,8 +22,8 @@ import time
 from pathlib import Path
 
 import numpy as np
-from cases import ROOT, bumpy_torus, machine, packaged_mesh, replace_table, write_json
-from fills import sphere
+from cases import ROOT, bumpy_torus, machine, packaged_mesh, replace_table, resampled, write_json
+from fills import diagonal, sphere
 from scipy.interpolate import make_lsq_spline
 
 sys.path.insert(0, str(ROOT / "build" / "release" / "python"))
@@ -37,10 +37,6 @@ CURVES = 10  # known ones on each mesh; each is drawn several times
 
 
 # ---------------------------------------------------------------- strokes
-def diagonal(mesh):
-    return float(np.linalg.norm(np.ptp(mesh.vertices, axis=0)))
-
-
 def known_curve(mesh, random):
     """Through four points of a walk that bends."""
     while True:
@@ -82,13 +78,8 @@ def distances(points, line):
     return np.linalg.norm(points[:, None] - feet, axis=2).min(1)
 
 
-def evenly(line, count):
-    along = np.concatenate([[0], np.cumsum(np.linalg.norm(np.diff(line, axis=0), axis=1))])
-    return np.stack([np.interp(np.linspace(0, along[-1], count), along, line[:, k]) for k in range(3)], 1)
-
-
 def off(line, known):
-    return float(np.sqrt((distances(evenly(line, POINTS), known) ** 2).mean()))
+    return float(np.sqrt((distances(resampled(line, POINTS), known) ** 2).mean()))
 
 
 def least_squares(stroke, known):
@@ -115,7 +106,7 @@ def stroke_rows(copies, seed):
             refused = 0
             for copy in range(copies):
                 curve = known[copy % len(known)]
-                line = evenly(curve.points, POINTS)
+                line = resampled(curve.points, POINTS)
                 frames = curve.sample(POINTS)
                 sideways = np.cross(frames.normals, frames.tangents)
                 moves = NOISE * size * noise_of(kind, curve.length, random, size)
@@ -134,10 +125,9 @@ def stroke_rows(copies, seed):
 
 
 # ---------------------------------------------------------------- labels
-def areas_of(vertices, faces, labels, count):
+def areas_of(vertices, faces):
     corners = vertices[faces]
-    areas = 0.5 * np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
-    return np.bincount(labels, areas, count)
+    return 0.5 * np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
 
 
 def label_row(around, across, count, seed):
@@ -153,12 +143,9 @@ def label_row(around, across, count, seed):
     seconds = time.perf_counter() - start
     parted = mesh.segment(curves)
     # Each part has the label of most of its area.
-    own = labels[parted.parents]
-    corners = parted.vertices[parted.faces]
-    areas = 0.5 * np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
     shares = np.zeros((parted.labels.max() + 1, count))
-    np.add.at(shares, (parted.labels, own), areas)
-    before = areas_of(vertices, faces, labels, count)
+    np.add.at(shares, (parted.labels, labels[parted.parents]), areas_of(parted.vertices, parted.faces))
+    before = np.bincount(labels, areas_of(vertices, faces), count)
     after = np.bincount(shares.argmax(1), shares.sum(1), count)
     ends = np.array([end for curve in curves if not curve.closed for end in (curve.points[0], curve.points[-1])])
     junctions = np.unique(ends, axis=0)

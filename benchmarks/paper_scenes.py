@@ -3,7 +3,7 @@
 import bspline_curve
 import numpy as np
 from bspline_curve._rendering import normalised
-from cases import bumpy_torus, midpoint_subdivided
+from cases import bumpy_torus, midpoint_subdivided, resampled
 from paper_pictures import Scene, ring
 from table1 import bunny_of
 
@@ -101,12 +101,6 @@ def bunny_picks(mesh, count=4):
     shares = {4: [(0.16, 0.62, 0.8), (0.35, 0.42, 1.0), (0.6, 0.33, 1.0), (0.82, 0.5, 0.8)],
               6: [(0.15, 0.62, 0.8), (0.22, 0.38, 0.9), (0.5, 0.2, 1.0), (0.78, 0.32, 0.9), (0.7, 0.55, 0.8), (0.42, 0.6, 0.9)]}
     return nearest(mesh, *(low + np.array(share) * size for share in shares[count]))
-
-
-def resampled(line, count):
-    at = np.r_[0, np.cumsum(np.linalg.norm(np.diff(line, axis=0), axis=1))]
-    even = np.linspace(0, at[-1], count)
-    return np.stack([np.interp(even, at, line[:, k]) for k in range(3)], 1)
 
 
 def apart(one, other):

@@ -233,9 +233,9 @@ private:
 
     // Of a node. Beside a pick at the boundary it is none, since an arc passes along it there.
     [[nodiscard]] double clearanceOf(const Node& node) const {
+        const double free = std::sqrt(kFairing.radiusShare * lengthBefore_ * 2.0 * clearance_);
         double share = 1.0;
         for (const Vec3& pick : picksAtBoundary_) {
-            const double free = std::sqrt(kFairing.radiusShare * lengthBefore_ * 2.0 * clearance_);
             share = std::min(share, (node.position - pick).norm() / free - 1.0);
         }
         return std::max(0.0, share) * clearance_;
@@ -247,13 +247,11 @@ private:
 
     // Of the nodes of the first polyline.
     void findPicksAtBoundary() {
-        std::vector<Vec3> found;
         for (const auto& [node, pick] : stops_) {
             if (pick >= 0 && guard().isNear(now_[node], clearance_)) {
-                found.push_back(picks_[pick].position);
+                picksAtBoundary_.push_back(picks_[pick].position);
             }
         }
-        picksAtBoundary_ = std::move(found);
     }
 
     [[nodiscard]] std::size_t size() const { return now_.size(); }

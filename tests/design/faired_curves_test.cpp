@@ -91,27 +91,31 @@ TEST(FairedCurves, AreGreatCirclesWherePicksLieOnOne) {
     EXPECT_LT(bendingOnSphere(curve), 0.05);
 }
 
-// Two picks close to each other make no hook, a U-turn no cusp.
-TEST(FairedCurves, BendLessThanParametricOnes) {
+struct PicksOnPlate {
+    std::vector<Vec3> picks;
+    double mostShare;  // of the bending of the parametric curve
+};
+
+/// `mostLength`: of the length of the parametric curve.
+void expectToBendLess(const std::vector<PicksOnPlate>& sets, double mostLength) {
     const CurveDesigner plate(jitteredPlate(40, 40, 0.2, 3));
-
-    struct Set {
-        std::vector<Vec3> picks;
-        double mostShare;  // of the bending of the parametric curve
-    };
-
-    const std::vector<Set> sets = {
-        {{{0.1, 0.2, 0}, {0.5, 0.5, 0}, {0.53, 0.5, 0}, {0.9, 0.2, 0}}, 1.0},
-        {{{0.2, 0.1, 0}, {0.2, 0.8, 0}, {0.3, 0.83, 0}, {0.32, 0.2, 0}}, 0.8},
-        {{{0.1, 0.5, 0}, {0.2, 0.52, 0}, {0.7, 0.3, 0}, {0.72, 0.6, 0}, {0.9, 0.5, 0}}, 0.65},
-    };
     for (const auto& [picks, mostShare] : sets) {
         SCOPED_TRACE(mostShare);
         const Curve curve = goodCurve(plate, picks);
         const Curve before = parametric(plate, picks);
         EXPECT_LT(bendingOnPlate(curve), mostShare * bendingOnPlate(before));
-        EXPECT_LT(length(curve.polyline), 1.3 * length(before.polyline));
+        EXPECT_LT(length(curve.polyline), mostLength * length(before.polyline));
     }
+}
+
+// Two picks close to each other make no hook, a U-turn no cusp.
+TEST(FairedCurves, BendLessThanParametricOnes) {
+    const std::vector<PicksOnPlate> sets = {
+        {{{0.1, 0.2, 0}, {0.5, 0.5, 0}, {0.53, 0.5, 0}, {0.9, 0.2, 0}}, 1.0},
+        {{{0.2, 0.1, 0}, {0.2, 0.8, 0}, {0.3, 0.83, 0}, {0.32, 0.2, 0}}, 0.8},
+        {{{0.1, 0.5, 0}, {0.2, 0.52, 0}, {0.7, 0.3, 0}, {0.72, 0.6, 0}, {0.9, 0.5, 0}}, 0.65},
+    };
+    expectToBendLess(sets, 1.3);
 }
 
 // The energy does not see the parameter: a curve through more picks of its own is the same one.
@@ -175,25 +179,12 @@ TEST(FairedCurves, StayOnASurfaceThatEnds) {
 
 // Where picks turn back curves go round in an arc, beside the boundary as well, and on it.
 TEST(FairedCurves, UnfoldWherePicksTurnBack) {
-    const CurveDesigner plate(jitteredPlate(40, 40, 0.2, 3));
-
-    struct Set {
-        std::vector<Vec3> picks;
-        double mostShare;  // of the bending of the parametric curve
-    };
-
-    const std::vector<Set> sets = {
+    const std::vector<PicksOnPlate> sets = {
         {{{0.3, 0.1, 0}, {0.32, 0.97, 0}, {0.5, 0.1, 0}}, 0.2},
         {{{0.3, 0.9, 0}, {0.5, 1.0, 0}, {0.45, 0.9, 0}}, 0.25},
         {{{0.2, 0.5, 0}, {0.5, 0.52, 0}, {0.45, 0.48, 0}, {0.8, 0.55, 0}}, 0.35},
     };
-    for (const auto& [picks, mostShare] : sets) {
-        SCOPED_TRACE(mostShare);
-        const Curve curve = goodCurve(plate, picks);
-        const Curve before = parametric(plate, picks);
-        EXPECT_LT(bendingOnPlate(curve), mostShare * bendingOnPlate(before));
-        EXPECT_LT(length(curve.polyline), 1.6 * length(before.polyline));
-    }
+    expectToBendLess(sets, 1.6);
 }
 
 // Where a weak field begins to pull, no other curve takes over.
