@@ -10,11 +10,11 @@
 #include "cli/job_table.h"
 #include "cli/packet_socket.h"
 #include "cli/progress_bar.h"
+#include "cli/reports/job_results.h"
 #include "cli/temporary_folder.h"
 #include "cli/verb_parser.h"
-#include "io/job_results.h"
-#include "io/text_parsing.h"
-#include "surface/error_messages.h"
+#include "text/error_messages.h"
+#include "text/text_parsing.h"
 #include "utility/stopwatch.h"
 
 #include <poll.h>

@@ -3,7 +3,7 @@
 
 #include "cli/value_checks.h"
 #include "cli/verb_parser.h"
-#include "io/text_parsing.h"
+#include "text/text_parsing.h"
 
 #include <algorithm>
 #include <cmath>

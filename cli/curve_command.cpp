@@ -5,12 +5,11 @@
 #include "cli/curve_options.h"
 #include "cli/interrupt.h"
 #include "cli/process_figures.h"
+#include "cli/reports/curve_report.h"
 #include "cli/result_files.h"
 #include "cli/verb_parser.h"
-#include "io/report_writer.h"
-#include "surface/error_messages.h"
+#include "text/error_messages.h"
 #include "utility/stopwatch.h"
-#include "workpiece/workpiece_parts.h"
 
 #include <algorithm>
 #include <iterator>
@@ -87,7 +86,6 @@ RunFigures figuresOf(
     figures.readMemoryBytes = loaded.readMemoryBytes;
     figures.shell = workpiece.shell();
     figures.meshFile = arguments.mesh.string();
-    figures.repair = workpiece.repair();
     if (arguments.field && !drawn.field.empty()) {
         figures.field = name(arguments.field->options.kind);
         figures.fieldCost = name(drawn.field.costFor(arguments.solver.fieldCost));
@@ -120,7 +118,7 @@ ExitCode drawAndWrite(
     const bool isRefused = !curve.report.usable && arguments.requireUsable;
     ResultFiles files;
     if (!arguments.report.empty()) {
-        files.add(arguments.report, reportText(curve, surfaceOf(workpiece), figures));
+        files.add(arguments.report, reportText(curve, workpiece, figures));
     }
     if (!isRefused) {
         files.add(

@@ -4,7 +4,7 @@
 #include "bspline_curve/error.h"
 #include "bspline_curve/files.h"
 #include "cli/value_checks.h"
-#include "surface/error_messages.h"
+#include "text/error_messages.h"
 
 #include <string>
 #include <string_view>

@@ -5,7 +5,7 @@
 #include "bspline_curve/version.h"
 #include "cli/value_checks.h"
 #include "cli/verb_parser.h"
-#include "io/text_parsing.h"
+#include "text/text_parsing.h"
 
 namespace bspline_curve::cli {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bspline_curve/files.h"
 #include "cli/command.h"
 #include "cli/drawing_options.h"
 #include "cli/loaded_mesh.h"
-#include "io/length_unit.h"
 
 #include <CLI/CLI.hpp>
 

@@ -9,7 +9,7 @@
 #include "cli/value_checks.h"
 #include "cli/verb_parser.h"
 #include "filters/imprint_requests.h"
-#include "surface/error_messages.h"
+#include "text/error_messages.h"
 
 #include <algorithm>
 #include <cstddef>

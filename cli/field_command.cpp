@@ -4,14 +4,13 @@
 #include "cli/described_options.h"
 #include "cli/loaded_mesh.h"
 #include "cli/region_options.h"
+#include "cli/reports/curve_report.h"
+#include "cli/reports/field_report.h"
 #include "cli/result_files.h"
 #include "cli/verb_parser.h"
 #include "filters/requests.h"
-#include "io/field_report.h"
-#include "io/report_writer.h"
-#include "surface/error_messages.h"
+#include "text/error_messages.h"
 #include "utility/stopwatch.h"
-#include "workpiece/workpiece_parts.h"
 
 #include <algorithm>
 
@@ -88,8 +87,7 @@ ExitCode compute(FieldArguments& arguments, ProgressBar& bar) {
         .meshFile = arguments.mesh.string(),
         .kind = name(request.options.kind),
         .naturalCost = name(naturalCost(request.options.kind)),
-        .seconds = {},
-        .repair = workpiece.repair()
+        .seconds = {}
     };
     figures.seconds.read = loaded.readSeconds;
     figures.seconds.validate = workpiece.seconds().validate;
@@ -99,7 +97,7 @@ ExitCode compute(FieldArguments& arguments, ProgressBar& bar) {
     files.add(arguments.output, fieldBytes(arguments.output, workpiece.mesh(), field.values()));
     figures.seconds.write = watch.lap();
     if (!arguments.report.empty()) {
-        files.add(arguments.report, fieldReportText(surfaceOf(workpiece), field.values(), figures));
+        files.add(arguments.report, fieldReportText(workpiece, field.values(), figures));
     }
     files.commit();
     const auto [least, most] = std::ranges::minmax(field.values());

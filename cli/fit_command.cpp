@@ -6,14 +6,14 @@
 #include "cli/described_options.h"
 #include "cli/loaded_mesh.h"
 #include "cli/region_options.h"
+#include "cli/reports/curve_report.h"
+#include "cli/reports/fit_report.h"
 #include "cli/result_files.h"
 #include "cli/verb_parser.h"
 #include "filters/fit_requests.h"
 #include "filters/polyline_layers.h"
 #include "filters/requests.h"
-#include "io/fit_report.h"
-#include "io/report_writer.h"
-#include "surface/error_messages.h"
+#include "text/error_messages.h"
 
 #include <cstddef>
 #include <filesystem>

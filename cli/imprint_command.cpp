@@ -4,7 +4,7 @@
 #include "cli/result_files.h"
 #include "cli/use_input.h"
 #include "cli/verb_parser.h"
-#include "surface/error_messages.h"
+#include "text/error_messages.h"
 
 namespace bspline_curve::cli {
 

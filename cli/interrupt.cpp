@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/interrupt.h"
 
+#include "bspline_curve/atomic_file.h"
 #include "bspline_curve/progress.h"
 #include "cli/command.h"
-#include "io/atomic_file.h"
 
 #include <semaphore.h>
 #include <unistd.h>

@@ -4,12 +4,12 @@
 #include "bspline_curve/error.h"
 #include "bspline_curve/files.h"
 #include "cli/curve_options.h"
+#include "cli/reports/curve_report.h"
 #include "cli/result_files.h"
-#include "io/csv.h"
-#include "io/number_text.h"
-#include "io/report_writer.h"
-#include "io/text_parsing.h"
-#include "surface/error_messages.h"
+#include "text/csv.h"
+#include "text/error_messages.h"
+#include "text/number_text.h"
+#include "text/text_parsing.h"
 
 #include <algorithm>
 #include <array>

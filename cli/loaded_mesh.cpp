@@ -3,10 +3,10 @@
 
 #include "bspline_curve/files.h"
 #include "bspline_curve/progress.h"
+#include "bspline_curve/whole_shell.h"
 #include "cli/interrupt.h"
 #include "cli/process_figures.h"
 #include "utility/stopwatch.h"
-#include "workpiece/workpiece_parts.h"
 
 #include <utility>
 
@@ -21,10 +21,12 @@ void LoadedMesh::prepareForCurves(
 ) {
     constexpr double kSurfaceShare = 0.3;
     prepare(options, partOf(progress, 0.0, kSurfaceShare));
-    const std::optional<ShellCache> cache = cacheUnless(noCache);
-    static_cast<void>(sharedDesignerOf(
-        *workpiece, partOf(progress, kSurfaceShare, 1.0), cache ? &*cache : nullptr
-    ));
+    const Progress rest = partOf(progress, kSurfaceShare, 1.0);
+    if (noCache) {
+        workpiece->prepare(rest);
+    } else {
+        prepareWithKeptShell(*workpiece, rest);
+    }
 }
 
 LoadedMesh loadMesh(const std::filesystem::path& file, bool strict) {
@@ -44,10 +46,6 @@ LoadedMesh loadMesh(const std::filesystem::path& file, bool strict) {
     };
     throwIfInterrupted();
     return loaded;
-}
-
-std::optional<ShellCache> cacheUnless(bool noCache) {
-    return noCache ? std::nullopt : ShellCache::ofUser();
 }
 
 }  // namespace bspline_curve::cli

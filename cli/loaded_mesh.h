@@ -2,7 +2,6 @@
 #pragma once
 
 #include "bspline_curve/workpiece.h"
-#include "io/shell_cache.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -33,8 +32,5 @@ struct LoadedMesh {
 /// Reads a mesh; unless `strict` also one whose faces name a vertex twice. Throws InputError,
 /// Cancelled.
 [[nodiscard]] LoadedMesh loadMesh(const std::filesystem::path& file, bool strict);
-
-/// The user's cache of shells; none where it is switched off.
-[[nodiscard]] std::optional<ShellCache> cacheUnless(bool noCache);
 
 }  // namespace bspline_curve::cli

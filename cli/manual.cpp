@@ -2,7 +2,7 @@
 #include "cli/manual.h"
 
 #include "bspline_curve/version.h"
-#include "io/text_parsing.h"
+#include "text/text_parsing.h"
 
 #include <CLI/CLI.hpp>
 

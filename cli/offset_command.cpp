@@ -2,11 +2,11 @@
 // bspline_curve offset MESH --curve FILE --distance D …: curves beside curves.
 #include "bspline_curve/error.h"
 #include "bspline_curve/files.h"
+#include "cli/reports/offset_report.h"
 #include "cli/result_files.h"
 #include "cli/use_input.h"
 #include "cli/value_checks.h"
 #include "cli/verb_parser.h"
-#include "io/offset_report.h"
 #include "utility/stopwatch.h"
 
 #include <algorithm>

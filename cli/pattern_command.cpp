@@ -4,18 +4,14 @@
 #include "bspline_curve/pattern.h"
 #include "cli/described_options.h"
 #include "cli/loaded_mesh.h"
+#include "cli/reports/curve_report.h"
+#include "cli/reports/pattern_report.h"
 #include "cli/result_files.h"
 #include "cli/verb_parser.h"
 #include "filters/pattern_requests.h"
 #include "filters/utf8_path.h"
-#include "io/curves_on_surface.h"
-#include "io/font_search.h"
-#include "io/pattern_report.h"
-#include "io/report_writer.h"
-#include "surface/error_messages.h"
-#include "surface/picks.h"
+#include "text/error_messages.h"
 #include "utility/stopwatch.h"
-#include "workpiece/workpiece_parts.h"
 
 #include <optional>
 
@@ -154,9 +150,8 @@ Vec3 toVec3(const std::vector<double>& values) {
 }
 
 SurfacePolyline curveAlong(const Workpiece& workpiece, const PatternArguments& arguments) {
-    return CurvesOnSurface(
-               surfaceOf(workpiece),
-               workpiece.checksum(),
+    return CurveFileReader(
+               workpiece,
                {.projection = arguments.request.use.placing.projection(),
                 .remedy = "a larger --max-distance"}
     )

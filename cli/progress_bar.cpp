@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/progress_bar.h"
 
-#include "io/text_parsing.h"
+#include "text/text_parsing.h"
 
 #include <unistd.h>
 

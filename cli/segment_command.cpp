@@ -4,8 +4,8 @@
 #include "cli/result_files.h"
 #include "cli/use_input.h"
 #include "cli/verb_parser.h"
-#include "io/text_parsing.h"
-#include "surface/error_messages.h"
+#include "text/error_messages.h"
+#include "text/text_parsing.h"
 
 namespace bspline_curve::cli {
 

@@ -1,28 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // bspline_curve shell MESH --output FILE …: the shell of a mesh.
+#include "bspline_curve/whole_shell.h"
 #include "cli/described_options.h"
 #include "cli/interrupt.h"
 #include "cli/loaded_mesh.h"
 #include "cli/process_figures.h"
+#include "cli/reports/curve_report.h"
+#include "cli/reports/shell_report.h"
 #include "cli/result_files.h"
 #include "cli/verb_parser.h"
 #include "filters/requests.h"
-#include "io/report_writer.h"
-#include "io/shell_report.h"
-#include "io/shell_writer.h"
-#include "io/tetrahedral_grid.h"
-#include "io/text_parsing.h"
-#include "shell/shell_store.h"
-#include "surface/error_messages.h"
+#include "text/error_messages.h"
+#include "text/text_parsing.h"
 #include "utility/stopwatch.h"
-#include "workpiece/workpiece_parts.h"
 #ifdef BSPLINE_CURVE_TETGEN
-#include "tetrahedra/conforming_tetrahedra.h"
+#include "tetrahedra/conforming_file.h"
 #endif
-
-#include <memory>
-#include <optional>
-#include <utility>
 
 namespace bspline_curve::cli {
 
@@ -141,65 +134,26 @@ struct ShellParser {
     DescribedOptions options{app, curveFilter()};
 };
 
-struct Built {
-    const Surface& surface;
-    std::shared_ptr<const ExtendedSurface> extended;
-    ObtainedShell obtained;
-
-    [[nodiscard]] const Shell& shell() const { return obtained.build.shell; }
-};
-
-/// Figures and checks are those of building a shell, so where these are asked for it is built; it
-/// is stored all the same.
-bool takesStoredShell(const ShellArguments& arguments) {
-    return arguments.report.empty() && !arguments.check;
+/// Figures and checks are those of making a shell, so where these are asked for it is made; it
+/// is kept all the same.
+bool takesKeptShell(const ShellArguments& arguments) {
+    return !arguments.noCache && arguments.report.empty() && !arguments.check;
 }
 
-/// The shell of a mesh, from the cache where it is there; stages after the surface.
-Built buildStages(
-    const Workpiece& workpiece,
-    const ShellArguments& arguments,
-    const ShellStore* store,
-    ShellRunFigures& figures,
-    ProgressBar& bar
-) {
-    constexpr double kBuildStart = 0.1;  // for the bar only
-    const Surface& surface = surfaceOf(workpiece);
-    const ShellOptions& options = arguments.preparing.shell;
-    Stopwatch watch;
-    auto extended =
-        std::make_shared<const ExtendedSurface>(extendSurface(surface, options.smoothingPasses));
-    figures.seconds.extended = watch.lap();
-    ObtainedShell obtained = findOrMakeShell(
-        surface,
-        extended,
-        options,
-        takesStoredShell(arguments) ? store : nullptr,
-        progressPart(bar, kBuildStart, 1.0)
-    );
-    figures.seconds.shell = watch.lap();
-    return {.surface = surface, .extended = std::move(extended), .obtained = std::move(obtained)};
+bool passed(const std::vector<ShellInvariant>& check) {
+    return std::ranges::all_of(check, &ShellInvariant::holds);
 }
 
-void refuseEmptyShell(const Built& built) {
-    if (built.shell().prismCount() == 0) {
-        throw InputError(
-            InputErrorCode::NoShell,
-            "no face got a prism: the surface crosses itself or folds onto itself everywhere"
-        );
-    }
-}
-
-std::string failureMessage(const ShellCheck& check) {
+std::string failureMessage(const std::vector<ShellInvariant>& check) {
     std::string text = "the shell is wrong:";
     const char* separator = " ";
-    for (const InvariantCheck* const invariant : check.invariants()) {
-        if (!invariant->holds) {
+    for (const ShellInvariant& invariant : check) {
+        if (!invariant.holds) {
             const std::vector<std::int64_t> ids(
-                invariant->firstIds.begin(), invariant->firstIds.end()
+                invariant.firstIds.begin(), invariant.firstIds.end()
             );
-            text.append(separator).append(invariant->name).append(" violated ");
-            text += describeCount(invariant->violations, "time", "times");
+            text.append(separator).append(invariant.name).append(" violated ");
+            text += describeCount(invariant.violations, "time", "times");
             text += " (first ids " + describeElements(ids) + ")";
             separator = "; ";
         }
@@ -207,64 +161,35 @@ std::string failureMessage(const ShellCheck& check) {
     return text + "; please send the mesh to the authors";
 }
 
-/// The tetrahedra of TetGen. Not where the program was built without it.
-TetrahedralGrid conformingGrid(
-    [[maybe_unused]] const Built& built, [[maybe_unused]] const Progress& progress
+/// The bytes of the output.
+std::string outputBytes(
+    const ShellArguments& arguments, const WholeShell& shell, [[maybe_unused]] ProgressBar& bar
 ) {
-    TetrahedralGrid grid{
-        .points = {}, .heights = {}, .tetrahedra = {}, .slabName = "side", .slabs = {}, .fields = {}
-    };
 #ifdef BSPLINE_CURVE_TETGEN
-    ConformingTetrahedra made = conformToSurface(
-        built.surface,
-        *built.extended,
-        built.shell(),
-        built.obtained.build.report.blockedFaces,
-        progress
-    );
-    grid.points = std::move(made.points);
-    grid.heights = std::move(made.heights);
-    grid.tetrahedra = std::move(made.tetrahedra);
-    for (const SurfaceSide side : made.sides) {
-        grid.slabs.push_back(static_cast<std::uint8_t>(side));
+    if (arguments.isConforming) {
+        return conformingFileBytes(arguments.output, shell, progressPart(bar, 0.0, 1.0));
     }
 #endif
-    return grid;
-}
-
-/// The bytes of the output.
-std::string outputBytes(const ShellArguments& arguments, const Built& built, ProgressBar& bar) {
-    return arguments.isConforming
-               ? gridBytes(arguments.output, conformingGrid(built, progressPart(bar, 0.0, 1.0)))
-               : shellBytes(arguments.output, built.shell(), built.extended->frame);
+    return shell.bytes(arguments.output);
 }
 
 /// Of a shell that is wrong only the report.
 void writeResults(
     const ShellArguments& arguments,
-    const Built& built,
-    const std::optional<ShellCheck>& check,
+    const Workpiece& workpiece,
+    const WholeShell& shell,
     ShellRunFigures& figures,
     ProgressBar& bar
 ) {
     Stopwatch watch;
     ResultFiles files;
-    if (!arguments.output.empty() && (!check || check->passed())) {
-        files.add(arguments.output, outputBytes(arguments, built, bar));
+    if (!arguments.output.empty() && (!figures.check || passed(*figures.check))) {
+        files.add(arguments.output, outputBytes(arguments, shell, bar));
         bar.clear();
     }
     figures.seconds.write = watch.lap();
     if (!arguments.report.empty()) {
-        files.add(
-            arguments.report,
-            shellReportText(
-                {.surface = built.surface,
-                 .extended = *built.extended,
-                 .build = built.obtained.build,
-                 .check = check ? &*check : nullptr},
-                figures
-            )
-        );
+        files.add(arguments.report, shellReportText(workpiece, shell, figures));
     }
     files.commit();
 }
@@ -274,52 +199,43 @@ ExitCode build(const ShellArguments& arguments, ProgressBar& bar) {
     checkOutput(arguments.report, checkReportExtension);
     bar.show(0.0, "reading");
     LoadedMesh loaded = loadMesh(arguments.mesh, arguments.preparing.mending.strict);
-    const std::optional<ShellCache> cache = cacheUnless(arguments.noCache);
-    const ShellStore* const store = cache ? &*cache : nullptr;
+    ShellRunFigures figures;
+    figures.meshFile = arguments.mesh.string();
+    figures.seconds.read = loaded.readSeconds;
     const double cpuBefore = processCpuSeconds();
     Stopwatch whole;
     bar.show(0.0, "validating");
     loaded.prepare(arguments.preparing);
     const Workpiece& workpiece = *loaded.workpiece;
     printNotes(loaded.notes());
-    ShellRunFigures figures;
-    Built built = buildStages(workpiece, arguments, store, figures, bar);
+    WholeShell shell(workpiece, takesKeptShell(arguments), progressPart(bar, 0.0, 1.0));
     figures.seconds.wall = whole.lap();
     figures.seconds.cpu = processCpuSeconds() - cpuBefore;
-    figures.seconds.read = loaded.readSeconds;
-    figures.seconds.validate = workpiece.seconds().validate;
     figures.peakMemoryBytes = peakMemoryBytes();
-    figures.meshFile = arguments.mesh.string();
-    figures.faces = static_cast<int>(workpiece.mesh().faces.size());
-    figures.repair = workpiece.repair();
-    refuseEmptyShell(built);
-    std::optional<ShellCheck> check;
     if (arguments.check) {
         bar.show(1.0, "checking");
         Stopwatch watch;
-        check = checkShell(
-            built.surface, *built.extended, built.shell(), built.obtained.build.report.blockedFaces
-        );
+        figures.check = shell.check();
         figures.seconds.check = watch.lap();
         throwIfInterrupted();
     }
-    if (!check || check->passed()) {
-        keepShell(built.surface, *built.extended, arguments.preparing.shell, store, built.obtained);
+    const bool isWrong = figures.check && !passed(*figures.check);
+    if (!arguments.noCache && !isWrong) {
+        shell.keep();
     }
     bar.clear();
-    figures.notes = built.obtained.notes;
-    printNotes(figures.notes);
-    writeResults(arguments, built, check, figures, bar);
-    if (check && !check->passed()) {
-        printError(failureMessage(*check));
+    printNotes(shell.notes());
+    writeResults(arguments, workpiece, shell, figures, bar);
+    if (isWrong) {
+        printError(failureMessage(*figures.check));
         return ExitCode::Failure;
     }
     const std::filesystem::path& file =
         arguments.output.empty() ? arguments.mesh : arguments.output;
     bar.tell(
         file,
-        "a shell of " + describeCount(built.shell().prismCount(), "prism", "prisms") +
-            (check ? ", every invariant holds" : "")
+        "a shell of " + describeCount(shell.figures().prisms, "prism", "prisms") +
+            (figures.check ? ", every invariant holds" : "")
     );
     return ExitCode::Success;
 }

@@ -5,14 +5,10 @@
 #include "bspline_curve/files.h"
 #include "cli/interrupt.h"
 #include "cli/verb_parser.h"
-#include "imprint/part_colours.h"
-#include "io/carried_extras.h"
-#include "io/curves_on_surface.h"
-#include "io/text_parsing.h"
-#include "surface/error_messages.h"
+#include "filters/part_colours.h"
+#include "text/error_messages.h"
+#include "text/text_parsing.h"
 #include "utility/stopwatch.h"
-#include "workpiece/curve_notes.h"
-#include "workpiece/workpiece_parts.h"
 
 #include <array>
 #include <cstddef>
@@ -43,9 +39,8 @@ void take(
 void readLines(CurvesOnMesh& taken, const UseArguments& arguments, const Placing& placing) {
     Stopwatch watch;
     const Workpiece& workpiece = taken.workpiece();
-    CurvesOnSurface curves(
-        surfaceOf(workpiece),
-        workpiece.checksum(),
+    CurveFileReader curves(
+        workpiece,
         {.projection = placing.projection(), .layers = arguments.layers, .remedy = kLargerDistance}
     );
     for (const std::filesystem::path& file : arguments.curves) {

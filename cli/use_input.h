@@ -8,8 +8,8 @@
 #include "cli/curve_drawing.h"
 #include "cli/loaded_mesh.h"
 #include "cli/progress_bar.h"
+#include "cli/reports/imprint_report.h"
 #include "filters/imprint_requests.h"
-#include "io/imprint_writer.h"
 
 #include <filesystem>
 #include <optional>

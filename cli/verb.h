@@ -4,7 +4,7 @@
 #include "bspline_curve/progress.h"
 #include "cli/command.h"
 #include "cli/progress_bar.h"
-#include "surface/error_messages.h"
+#include "text/error_messages.h"
 
 #include <filesystem>
 #include <functional>

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "bspline_curve/error.h"
+#include "bspline_curve/files.h"
 #include "cli/manual.h"
 #include "cli/value_checks.h"
 #include "cli/verb.h"
-#include "io/length_unit.h"
 
 #include <CLI/CLI.hpp>
 
@@ -138,8 +138,8 @@ inline constexpr const char* kDirectionHelp =
 /// --unit.
 inline void addUnit(CLI::App& app, LengthUnit& unit) {
     std::vector<std::pair<std::string, LengthUnit>> words;
-    for (const LengthUnitNames& names : kLengthUnits) {
-        words.emplace_back(names.id, names.unit);
+    for (const LengthUnit each : kLengthUnits) {
+        words.emplace_back(name(each), each);
     }
     app.add_option(
            "--unit", unit, "Unit of the mesh, which .step and .iges name: mm|cm|m|um|in|ft [mm]"

@@ -2,7 +2,7 @@
 #include "design/field_cache.h"
 
 #include "bspline_curve/error.h"
-#include "surface/error_messages.h"
+#include "text/error_messages.h"
 #include "utility/index_sets.h"
 
 #include <algorithm>

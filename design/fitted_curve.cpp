@@ -9,9 +9,9 @@
 #include "design/line_points.h"
 #include "design/path_spline.h"
 #include "design/solved_curve.h"
-#include "surface/error_messages.h"
 #include "surface/segment_distance.h"
 #include "surface/strict_line.h"
+#include "text/error_messages.h"
 
 #include <algorithm>
 #include <cmath>

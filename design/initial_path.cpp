@@ -4,8 +4,8 @@
 #include "bspline_curve/error.h"
 #include "design/close_chords.h"
 #include "design/shortened_path.h"
-#include "surface/error_messages.h"
 #include "surface/geodesic_path.h"
+#include "text/error_messages.h"
 #include "utility/worker_thread.h"
 
 #include <algorithm>

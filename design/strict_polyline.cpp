@@ -2,8 +2,8 @@
 #include "design/strict_polyline.h"
 
 #include "bspline_curve/error.h"
-#include "surface/error_messages.h"
 #include "surface/surface_point.h"
+#include "text/error_messages.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bspline_curve/error.h"
 #include "bspline_curve/field.h"
-#include "surface/error_messages.h"
+#include "text/error_messages.h"
 
 #include <cmath>
 #include <string>

@@ -10,8 +10,8 @@
 #include "field/obstacle_field.h"
 #include "field/surface_diffusion.h"
 #include "field/value_range.h"
-#include "surface/error_messages.h"
 #include "surface/field_on_surface.h"
+#include "text/error_messages.h"
 
 #include <Eigen/Core>
 

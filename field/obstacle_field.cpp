@@ -2,7 +2,7 @@
 #include "field/obstacle_field.h"
 
 #include "bspline_curve/error.h"
-#include "surface/error_messages.h"
+#include "text/error_messages.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/SparseCholesky>

@@ -5,8 +5,8 @@
 #include "fill/part_sheet.h"
 #include "fill/patch_checker.h"
 #include "imprint/imprint.h"
-#include "surface/error_messages.h"
 #include "surface/surface.h"
+#include "text/error_messages.h"
 #include "utility/index_sets.h"
 
 #include <Eigen/Geometry>

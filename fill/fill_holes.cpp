@@ -10,9 +10,9 @@
 #include "fill/patch_retreat.h"
 #include "fill/planar_triangulation.h"
 #include "fill/rim_triangulation.h"
-#include "surface/error_messages.h"
 #include "surface/half_edges.h"
 #include "surface/mesh_checks.h"
+#include "text/error_messages.h"
 #include "utility/index_sets.h"
 
 #include <Eigen/Geometry>

@@ -4,7 +4,7 @@
 #include "bspline_curve/error.h"
 #include "fill/fill_holes.h"
 #include "fill/part_filling.h"
-#include "surface/error_messages.h"
+#include "text/error_messages.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "filters/run_filters.h"
-#include "workpiece/workpiece_cache.h"
+#include "filters/workpiece_cache.h"
 
 #include <common/plugins/interfaces/filter_plugin.h>
 

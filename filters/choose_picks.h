@@ -2,8 +2,8 @@
 #pragma once
 
 #include "bspline_curve/files.h"
+#include "filters/pick_candidates.h"
 #include "filters/requests.h"
-#include "workpiece/layer_input.h"
 
 namespace bspline_curve {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/curve_extras.h"
 
+#include "bspline_curve/atomic_file.h"
 #include "bspline_curve/error.h"
 #include "bspline_curve/files.h"
 #include "design/curve_tube.h"
 #include "filters/utf8_path.h"
-#include "io/atomic_file.h"
-#include "surface/error_messages.h"
 #include "surface/surface.h"
+#include "text/error_messages.h"
 
 namespace bspline_curve {
 

@@ -22,6 +22,10 @@ std::vector<double> asNumbers(const std::vector<int>& indices) {
 
 }  // namespace
 
+const char* shellName(const Curve& curve) {
+    return curve.shell ? name(*curve.shell) : "fibres";
+}
+
 double secondsOf(const SolveReport& report) {
     const auto& part = report.seconds;
     return part.path + part.initial + part.minimise + part.knots + part.polyline +

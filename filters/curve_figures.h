@@ -3,9 +3,12 @@
 
 #include "bspline_curve/curve.h"
 #include "filters/figures.h"
-#include "workpiece/workpiece_cache.h"
+#include "filters/workpiece_cache.h"
 
 namespace bspline_curve {
+
+/// The shell that a curve was drawn in, as reports say it: "fibres", "full" or "simplified".
+[[nodiscard]] const char* shellName(const Curve& curve);
 
 /// How long one curve took on a surface that was ready.
 [[nodiscard]] double secondsOf(const SolveReport& report);

@@ -5,10 +5,10 @@
 #include "bspline_curve/spline.h"
 #include "filters/requests.h"
 #include "io/curve_json.h"
-#include "io/json_reader.h"
 #include "io/picks_formats.h"
-#include "io/text_parsing.h"
-#include "surface/error_messages.h"
+#include "text/error_messages.h"
+#include "text/json_reader.h"
+#include "text/text_parsing.h"
 #include "utility/index_sets.h"
 
 #include <algorithm>

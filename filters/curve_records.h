@@ -2,8 +2,8 @@
 #pragma once
 
 #include "bspline_curve/curve.h"
+#include "bspline_curve/mesh_checksum.h"
 #include "filters/drawn_curve.h"
-#include "surface/mesh_checksum.h"
 
 #include <filesystem>
 #include <memory>

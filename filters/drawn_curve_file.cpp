@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/drawn_curve_file.h"
 
+#include "bspline_curve/atomic_file.h"
 #include "bspline_curve/error.h"
 #include "bspline_curve/files.h"
 #include "bspline_curve/mesh.h"
 #include "filters/curve_comments.h"
 #include "filters/fitting_picks.h"
-#include "io/atomic_file.h"
-#include "io/text_parsing.h"
-#include "surface/error_messages.h"
 #include "surface/picks.h"
 #include "surface/triangle_tree.h"
+#include "text/error_messages.h"
+#include "text/text_parsing.h"
 
 #include <Eigen/Geometry>
 

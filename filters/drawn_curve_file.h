@@ -2,10 +2,10 @@
 #pragma once
 
 #include "bspline_curve/curve.h"
+#include "bspline_curve/mesh_checksum.h"
 #include "bspline_curve/workpiece.h"
 #include "filters/curve_records.h"
 #include "filters/drawn_curve.h"
-#include "surface/mesh_checksum.h"
 
 #include <filesystem>
 #include <memory>

@@ -3,7 +3,7 @@
 
 #include "filters/binding_makers.h"
 #include "filters/requests.h"
-#include "io/text_parsing.h"
+#include "text/text_parsing.h"
 
 #include <algorithm>
 #include <optional>

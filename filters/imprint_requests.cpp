@@ -5,7 +5,7 @@
 #include "bspline_curve/files.h"
 #include "filters/binding_makers.h"
 #include "filters/requests.h"
-#include "io/text_parsing.h"
+#include "text/text_parsing.h"
 
 #include <cmath>
 #include <optional>

@@ -3,7 +3,7 @@
 
 #include "bspline_curve/files.h"
 #include "filters/binding_makers.h"
-#include "io/text_parsing.h"
+#include "text/text_parsing.h"
 
 #include <string_view>
 

@@ -6,11 +6,11 @@
 #include "bspline_curve/mesh.h"
 #include "imprint/polyline_chains.h"
 #include "imprint/projected_polyline.h"
-#include "surface/error_messages.h"
 #include "surface/lines_over_parted_edges.h"
 #include "surface/strict_line.h"
 #include "surface/triangle_tree.h"
-#include "workpiece/curve_notes.h"
+#include "text/error_messages.h"
+#include "text/sentences.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -3,9 +3,9 @@
 
 #include "bspline_curve/curve.h"
 #include "bspline_curve/lines.h"
-#include "surface/mesh_checksum.h"
+#include "bspline_curve/mesh_checksum.h"
+#include "filters/pick_candidates.h"
 #include "surface/surface.h"
-#include "workpiece/layer_input.h"
 
 #include <array>
 #include <cstddef>

@@ -3,7 +3,7 @@
 
 #include "bspline_curve/error.h"
 #include "filters/option_bindings.h"
-#include "surface/error_messages.h"
+#include "text/error_messages.h"
 
 #include <cmath>
 

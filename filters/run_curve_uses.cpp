@@ -9,8 +9,8 @@
 #include "bspline_curve/parts.h"
 #include "bspline_curve/progress.h"
 #include "filters/summaries.h"
+#include "text/sentences.h"
 #include "utility/stopwatch.h"
-#include "workpiece/curve_notes.h"
 #include "workpiece/workpiece_parts.h"
 
 #include <algorithm>

@@ -6,7 +6,7 @@
 #include "filters/edit_requests.h"
 #include "filters/polyline_layers.h"
 #include "filters/run_filters.h"
-#include "workpiece/workpiece_cache.h"
+#include "filters/workpiece_cache.h"
 
 #include <string>
 #include <vector>

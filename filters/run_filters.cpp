@@ -8,11 +8,9 @@
 #include "filters/curve_figures.h"
 #include "filters/labels.h"
 #include "filters/summaries.h"
-#include "io/report_writer.h"
-#include "io/shell_cache.h"
-#include "surface/error_messages.h"
+#include "text/error_messages.h"
+#include "text/sentences.h"
 #include "utility/stopwatch.h"
-#include "workpiece/curve_notes.h"
 #include "workpiece/layer_ids.h"
 
 #include <algorithm>
@@ -73,10 +71,8 @@ CurveResult runCurveFilter(
     if (options.pickTolerances.entries.empty() && options.solver.pickTolerance == MeshLength()) {
         options.pickTolerances = chosen.tolerances;
     }
-    const std::optional<ShellCache> cache = ShellCache::ofUser();
-    const WorkpieceCache::Found found = workpieces.ready(
-        layer, request, partOf(progress, 0.0, kCurveSurfaceShare), cache ? &*cache : nullptr
-    );
+    const WorkpieceCache::Found found =
+        workpieces.ready(layer, request, partOf(progress, 0.0, kCurveSurfaceShare));
     checkTube(request, *found.workpiece);
     DesignedCurve drawn =
         found->draw(chosen.picks, options, layer, partOf(progress, kCurveSurfaceShare, 1.0));

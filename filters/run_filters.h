@@ -5,9 +5,9 @@
 #include "bspline_curve/progress.h"
 #include "bspline_curve/shell.h"
 #include "filters/figures.h"
+#include "filters/pick_candidates.h"
 #include "filters/requests.h"
-#include "workpiece/layer_input.h"
-#include "workpiece/workpiece_cache.h"
+#include "filters/workpiece_cache.h"
 
 #include <exception>
 #include <optional>

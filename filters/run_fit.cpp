@@ -6,8 +6,8 @@
 #include "bspline_curve/progress.h"
 #include "filters/summaries.h"
 #include "surface/strict_line.h"
+#include "text/sentences.h"
 #include "utility/stopwatch.h"
-#include "workpiece/curve_notes.h"
 
 #include <algorithm>
 #include <utility>

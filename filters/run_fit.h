@@ -4,7 +4,7 @@
 #include "bspline_curve/progress.h"
 #include "filters/fit_requests.h"
 #include "filters/run_filters.h"
-#include "workpiece/workpiece_cache.h"
+#include "filters/workpiece_cache.h"
 
 #include <span>
 #include <vector>

@@ -7,8 +7,6 @@
 #include "bspline_curve/progress.h"
 #include "filters/summaries.h"
 #include "filters/utf8_path.h"
-#include "io/font_search.h"
-#include "io/shell_cache.h"
 #include "utility/stopwatch.h"
 #include "workpiece/workpiece_parts.h"
 
@@ -108,12 +106,8 @@ PatternResult runPatternFilter(
     report(progress, 0.0, "drawing");
     PatternResult result;
     const Drawing drawing = drawingOf(request, result.log);
-    const std::optional<ShellCache> cache = ShellCache::ofUser();
     const WorkpieceCache::Found found = workpieces.ready(
-        input.surface,
-        {.mending = request.use.mending},
-        partOf(progress, 0.0, kPatternSurfaceShare),
-        cache ? &*cache : nullptr
+        input.surface, {.mending = request.use.mending}, partOf(progress, 0.0, kPatternSurfaceShare)
     );
     std::ranges::move(layerNotes(*found.workpiece), std::back_inserter(result.log.warnings));
     auto [pattern, warnings] = drawnOn(

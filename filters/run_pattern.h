@@ -5,8 +5,8 @@
 #include "filters/pattern_requests.h"
 #include "filters/polyline_layers.h"
 #include "filters/run_filters.h"
+#include "filters/workpiece_cache.h"
 #include "pattern/carried_drawing.h"
-#include "workpiece/workpiece_cache.h"
 
 #include <vector>
 

@@ -3,7 +3,7 @@
 
 #include "bspline_curve/curve.h"
 #include "filters/filter_description.h"
-#include "surface/error_messages.h"
+#include "text/error_messages.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -3,9 +3,9 @@
 
 #include "bspline_curve/error.h"
 #include "imprint/projected_polyline.h"
-#include "surface/error_messages.h"
 #include "surface/geodesic_path.h"
 #include "surface/surface_point.h"
+#include "text/error_messages.h"
 
 #include <algorithm>
 #include <cmath>

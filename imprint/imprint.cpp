@@ -5,10 +5,10 @@
 #include "imprint/curve_arrangement.h"
 #include "imprint/face_triangulation.h"
 #include "imprint/imprint_nodes.h"
-#include "surface/error_messages.h"
 #include "surface/predicates.h"
 #include "surface/strict_line.h"
 #include "surface/surface_point.h"
+#include "text/error_messages.h"
 #include "utility/index_sets.h"
 
 #include <Eigen/Geometry>

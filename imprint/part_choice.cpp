@@ -2,11 +2,11 @@
 #include "imprint/part_choice.h"
 
 #include "bspline_curve/error.h"
-#include "surface/error_messages.h"
 #include "surface/half_edges.h"
 #include "surface/picks.h"
 #include "surface/surface_point.h"
 #include "surface/triangle_tree.h"
+#include "text/error_messages.h"
 #include "utility/index_sets.h"
 
 #include <algorithm>

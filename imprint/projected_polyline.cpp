@@ -3,11 +3,11 @@
 
 #include "bspline_curve/error.h"
 #include "imprint/draped_polyline.h"
-#include "surface/error_messages.h"
 #include "surface/geodesic_path.h"
 #include "surface/picks.h"
 #include "surface/segment_distance.h"
 #include "surface/surface_point.h"
+#include "text/error_messages.h"
 
 #include <algorithm>
 #include <cmath>

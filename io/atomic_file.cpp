@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/atomic_file.h"
+#include "bspline_curve/atomic_file.h"
 
-#include "bspline_curve/error.h"
+#include "text/text_parsing.h"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -15,14 +15,6 @@
 #include <utility>
 
 namespace bspline_curve {
-
-void refuseWriting(const std::filesystem::path& file, const std::string& reason) {
-    throw InputError(InputErrorCode::UnwritableFile, file.string() + ": " + reason);
-}
-
-void refuseErrno(const std::filesystem::path& file) {
-    refuseWriting(file, "cannot be written: " + std::generic_category().message(errno));
-}
 
 namespace {
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/carried_extras.h"
-
+#include "bspline_curve/files.h"
 #include "io/ply_header.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/curve_formats.h"
-#include "io/number_text.h"
+#include "text/number_text.h"
 
 namespace bspline_curve {
 

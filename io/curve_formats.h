@@ -2,8 +2,8 @@
 #pragma once
 
 #include "bspline_curve/curve.h"
+#include "bspline_curve/mesh_checksum.h"
 #include "io/length_unit.h"
-#include "surface/mesh_checksum.h"
 
 #include <cstddef>
 #include <optional>

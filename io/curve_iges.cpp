@@ -4,7 +4,7 @@
 #include "bspline_curve/spline.h"
 #include "bspline_curve/version.h"
 #include "io/curve_formats.h"
-#include "io/number_text.h"
+#include "text/number_text.h"
 
 #include <algorithm>
 #include <cstddef>

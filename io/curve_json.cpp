@@ -3,8 +3,8 @@
 
 #include "bspline_curve/spline.h"
 #include "io/picks_formats.h"
-#include "io/text_parsing.h"
-#include "surface/error_messages.h"
+#include "text/error_messages.h"
+#include "text/text_parsing.h"
 
 #include <charconv>
 #include <cmath>

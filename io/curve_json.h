@@ -2,9 +2,9 @@
 #pragma once
 
 #include "bspline_curve/curve.h"
+#include "bspline_curve/mesh_checksum.h"
 #include "io/curve_formats.h"
-#include "io/json_text.h"
-#include "surface/mesh_checksum.h"
+#include "text/json_text.h"
 
 #include <nlohmann/json.hpp>
 

@@ -3,10 +3,10 @@
 
 #include "bspline_curve/error.h"
 #include "io/curve_json.h"
-#include "io/json_reader.h"
-#include "io/text_parsing.h"
 #include "surface/lines_over_parted_edges.h"
 #include "surface/surface_point.h"
+#include "text/json_reader.h"
+#include "text/text_parsing.h"
 
 #include <nlohmann/json.hpp>
 

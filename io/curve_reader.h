@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bspline_curve/curve.h"
-#include "surface/mesh_checksum.h"
+#include "bspline_curve/mesh_checksum.h"
 #include "surface/surface.h"
 
 #include <filesystem>

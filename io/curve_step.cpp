@@ -3,8 +3,8 @@
 #include "bspline_curve/spline.h"
 #include "bspline_curve/version.h"
 #include "io/curve_formats.h"
-#include "io/number_text.h"
 #include "io/spline_knots.h"
+#include "text/number_text.h"
 
 #include <algorithm>
 #include <string>

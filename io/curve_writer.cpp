@@ -2,7 +2,7 @@
 #include "bspline_curve/error.h"
 #include "bspline_curve/files.h"
 #include "io/curve_formats.h"
-#include "io/text_parsing.h"
+#include "text/text_parsing.h"
 
 #include <algorithm>
 #include <cassert>
@@ -14,13 +14,17 @@ namespace {
 
 using std::filesystem::path;
 
+#ifndef BSPLINE_CURVE_WITHOUT_JSON
 constexpr CurveFormat kJson{.end = ".json", .bytes = curveJson, .bytesOfMany = curvesJson};
+#endif
 
 const std::vector<CurveFormat>& curveFormats() {
     static const std::vector<CurveFormat> formats = [] {
         const std::span<const CurveFormat> others = curveFormatsWithoutJson();
         std::vector<CurveFormat> all(others.begin(), others.end());
+#ifndef BSPLINE_CURVE_WITHOUT_JSON  // the Python package writes that itself
         all.push_back(kJson);
+#endif
         return all;
     }();
     return formats;

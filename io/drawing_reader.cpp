@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bspline_curve/files.h"
-#include "io/drawing_formats.h"
-#include "io/text_parsing.h"
+#include "io/xml_tree.h"
+#include "text/text_parsing.h"
 
 namespace bspline_curve {
 

@@ -5,8 +5,8 @@
 #include "io/left_out.h"
 #include "io/number_scanner.h"
 #include "io/svg_style.h"
-#include "io/text_parsing.h"
 #include "io/xml_tree.h"
+#include "text/text_parsing.h"
 
 #include <algorithm>
 #include <array>

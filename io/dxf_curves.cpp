@@ -4,8 +4,8 @@
 #include "io/dxf_entities.h"
 #include "io/dxf_path.h"
 #include "io/left_out.h"
-#include "io/text_parsing.h"
 #include "pattern/drawing.h"
+#include "text/text_parsing.h"
 
 #include <Eigen/Geometry>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/dxf_text.h"
 
-#include "io/number_text.h"
-#include "io/text_parsing.h"
+#include "text/number_text.h"
+#include "text/text_parsing.h"
 
 #include <algorithm>
 

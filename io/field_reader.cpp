@@ -2,8 +2,8 @@
 #include "bspline_curve/error.h"
 #include "bspline_curve/files.h"
 #include "io/npy.h"
-#include "io/text_parsing.h"
-#include "surface/error_messages.h"
+#include "text/error_messages.h"
+#include "text/text_parsing.h"
 
 #include <array>
 #include <cmath>

@@ -2,7 +2,7 @@
 #include "bspline_curve/error.h"
 #include "bspline_curve/files.h"
 #include "io/append_binary.h"
-#include "io/text_parsing.h"
+#include "text/text_parsing.h"
 
 #include <array>
 #include <cassert>

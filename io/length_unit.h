@@ -12,7 +12,7 @@ namespace bspline_curve {
 
 struct LengthUnitNames {
     LengthUnit unit;
-    std::string_view id;          ///< "mm", on command lines
+    std::string_view id;          ///< see name()
     std::string_view stepPrefix;  ///< of the metre; empty: it has none
     double millimetres;           ///< of units that are no part of a metre; 0: they are
     std::string_view name;        ///< of such a unit, in STEP
@@ -20,7 +20,7 @@ struct LengthUnitNames {
     std::string_view igesName;
 };
 
-inline constexpr std::array<LengthUnitNames, 6> kLengthUnits{{
+inline constexpr std::array<LengthUnitNames, 6> kLengthUnitNames{{
     {LengthUnit::Millimetre, "mm", ".MILLI.", 0.0, "", 2, "MM"},
     {LengthUnit::Centimetre, "cm", ".CENTI.", 0.0, "", 10, "CM"},
     {LengthUnit::Metre, "m", "$", 0.0, "", 6, "M"},
@@ -30,7 +30,7 @@ inline constexpr std::array<LengthUnitNames, 6> kLengthUnits{{
 }};
 
 [[nodiscard]] constexpr const LengthUnitNames& namesOf(LengthUnit unit) {
-    return kLengthUnits[static_cast<std::size_t>(unit)];
+    return kLengthUnitNames[static_cast<std::size_t>(unit)];
 }
 
 }  // namespace bspline_curve

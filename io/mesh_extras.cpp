@@ -2,7 +2,7 @@
 #include "bspline_curve/files.h"
 #include "io/mesh_parsers.h"
 #include "io/ply_cursor.h"
-#include "io/text_parsing.h"
+#include "text/text_parsing.h"
 
 #include <algorithm>
 #include <cstddef>

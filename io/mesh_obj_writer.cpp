@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Meshes as OBJ: text, the shortest decimals that read back as the same doubles.
 #include "io/mesh_formats.h"
-#include "io/number_text.h"
+#include "text/number_text.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/mesh_parsers.h"
-#include "io/text_parsing.h"
+#include "text/text_parsing.h"
 
 #include <utility>
 #include <vector>

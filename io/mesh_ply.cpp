@@ -2,7 +2,7 @@
 #include "io/mesh_parsers.h"
 #include "io/ply_cursor.h"
 #include "io/ply_header.h"
-#include "io/text_parsing.h"
+#include "text/text_parsing.h"
 #include "utility/large_array.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bspline_curve/files.h"
 #include "io/mesh_parsers.h"
-#include "io/text_parsing.h"
-#include "surface/error_messages.h"
+#include "text/error_messages.h"
+#include "text/text_parsing.h"
 
 #include <algorithm>
 #include <array>

@@ -3,8 +3,8 @@
 #include "bspline_curve/files.h"
 #include "io/append_binary.h"
 #include "io/mesh_formats.h"
-#include "io/number_text.h"
-#include "io/text_parsing.h"
+#include "text/number_text.h"
+#include "text/text_parsing.h"
 
 #include <Eigen/Geometry>
 

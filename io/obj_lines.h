@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "io/text_parsing.h"
+#include "text/text_parsing.h"
 
 #include <string>
 #include <string_view>

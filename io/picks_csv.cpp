@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Picks in the rows of a table: of CSV, of texts with blanks, and of 3D Slicer's lists.
-#include "io/csv.h"
 #include "io/picks_formats.h"
-#include "io/text_parsing.h"
+#include "text/csv.h"
+#include "text/text_parsing.h"
 
 #include <algorithm>
 #include <array>

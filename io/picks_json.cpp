@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bspline_curve/error.h"
-#include "io/json_reader.h"
 #include "io/picks_formats.h"
-#include "io/text_parsing.h"
-#include "surface/error_messages.h"
+#include "text/error_messages.h"
+#include "text/json_reader.h"
+#include "text/text_parsing.h"
 
 #include <nlohmann/json.hpp>
 

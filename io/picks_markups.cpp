@@ -2,7 +2,7 @@
 // Markups of 3D Slicer (.mrk.json, its schema 1.0): point lists, lines and curves with control
 // points in LPS or RAS. Picks are given in LPS, the system that Slicer writes meshes in.
 #include "io/picks_formats.h"
-#include "io/text_parsing.h"
+#include "text/text_parsing.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/picks_formats.h"
-#include "io/text_parsing.h"
+#include "text/text_parsing.h"
 
 #include <tinyxml2.h>
 

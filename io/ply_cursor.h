@@ -2,7 +2,7 @@
 #pragma once
 
 #include "io/ply_header.h"
-#include "io/text_parsing.h"
+#include "text/text_parsing.h"
 
 #include <algorithm>
 #include <array>

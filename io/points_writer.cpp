@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bspline_curve/error.h"
 #include "bspline_curve/files.h"
-#include "io/json_text.h"
-#include "io/number_text.h"
-#include "io/text_parsing.h"
+#include "text/json_text.h"
+#include "text/number_text.h"
+#include "text/text_parsing.h"
 
 #include <algorithm>
 #include <array>

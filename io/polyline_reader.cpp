@@ -2,7 +2,7 @@
 #include "bspline_curve/files.h"
 #include "imprint/polyline_chains.h"
 #include "io/polyline_formats.h"
-#include "io/text_parsing.h"
+#include "text/text_parsing.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A table of points as one polyline; of tables that writeCurve() wrote, with their places.
-#include "io/csv.h"
 #include "io/picks_formats.h"
 #include "io/polyline_formats.h"
-#include "io/text_parsing.h"
+#include "text/csv.h"
+#include "text/text_parsing.h"
 
 #include <algorithm>
 #include <array>

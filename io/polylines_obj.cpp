@@ -3,7 +3,7 @@
 #include "io/obj_lines.h"
 #include "io/polyline_formats.h"
 #include "io/space_paths.h"
-#include "io/text_parsing.h"
+#include "text/text_parsing.h"
 
 #include <cstddef>
 #include <optional>

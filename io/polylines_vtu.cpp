@@ -2,7 +2,7 @@
 // Lines of VTK's XML files of unstructured grids and of poly data.
 #include "io/base64.h"
 #include "io/polyline_formats.h"
-#include "io/text_parsing.h"
+#include "text/text_parsing.h"
 
 #include <tinyxml2.h>
 

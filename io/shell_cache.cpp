@@ -5,7 +5,7 @@
 #include "io/byte_stream.h"
 #include "io/environment.h"
 #include "io/shell_file.h"
-#include "io/text_parsing.h"
+#include "text/text_parsing.h"
 
 #include <algorithm>
 #include <array>

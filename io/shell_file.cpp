@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/shell_file.h"
 
+#include "bspline_curve/atomic_file.h"
 #include "bspline_curve/error.h"
-#include "io/atomic_file.h"
 #include "io/byte_stream.h"
-#include "io/text_parsing.h"
+#include "text/text_parsing.h"
 
 #include <algorithm>
 #include <array>

@@ -2,9 +2,10 @@
 #include "io/shell_writer.h"
 
 #include "bspline_curve/error.h"
+#include "bspline_curve/whole_shell.h"
 #include "io/shell_cells.h"
 #include "io/tetrahedral_grid.h"
-#include "io/text_parsing.h"
+#include "text/text_parsing.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -10,9 +10,6 @@
 
 namespace bspline_curve {
 
-/// Throws InputError (UnwritableFile) where shellBytes knows no format for the extension.
-void checkShellExtension(const std::filesystem::path& file);
-
 /// The bytes of a shell file, in the user's coordinates; the format by the extension of `file`:
 ///   .vtu   VTK XML unstructured grid, base64: conforming tetrahedra; points: f (-1, 0, 1); cells:
 ///          prism (index in the shell), slab (0 top, 1 bottom), ghost (1 beyond the boundary)

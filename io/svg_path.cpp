@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Path data and transforms of SVG (SVG 2, Sect. 9.3 and 9.5; CSS Transforms 1).
+#include "bspline_curve/error.h"
+#include "bspline_curve/files.h"
 #include "io/drawing_formats.h"
 #include "io/number_scanner.h"
+#include "pattern/drawing.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -212,6 +216,16 @@ Eigen::Affine2d transformOf(
 
 void drawSvgPath(std::string_view data, DrawingBuilder& pen) {
     PathReader(data, pen).read();
+}
+
+Drawing drawingOfSvgPath(std::string_view data) {
+    DrawingBuilder pen;
+    try {
+        drawSvgPath(data, pen);
+    } catch (const std::invalid_argument& error) {
+        throw InputError(InputErrorCode::BadOption, std::string("the path data: ") + error.what());
+    }
+    return mapped(pen.take(), Eigen::Affine2d(Eigen::Scaling(1.0, -1.0)));
 }
 
 Eigen::Affine2d svgTransform(std::string_view text) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "bspline_curve/drawing_builder.h"
 #include "bspline_curve/error.h"
 #include "bspline_curve/files.h"
-#include "io/text_parsing.h"
-#include "pattern/drawing_builder.h"
+#include "text/text_parsing.h"
 
 #ifdef BSPLINE_CURVE_FREETYPE
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "bspline_curve/atomic_file.h"
 #include "bspline_curve/files.h"
-#include "io/atomic_file.h"
 
 namespace bspline_curve {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/xml_tree.h"
 
-#include "io/text_parsing.h"
+#include "text/text_parsing.h"
 
 #include <tinyxml2.h>
 

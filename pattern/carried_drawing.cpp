@@ -5,8 +5,8 @@
 #include "bspline_curve/progress.h"
 #include "design/curve_designer.h"
 #include "pattern/carried_piece.h"
-#include "surface/error_messages.h"
 #include "surface/surface.h"
+#include "text/error_messages.h"
 #include "utility/index_sets.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pattern/drawing_builder.h"
+#include "bspline_curve/drawing_builder.h"
 
 #include <algorithm>
 #include <utility>

@@ -2,7 +2,7 @@
 #include "pattern/pattern_layout.h"
 
 #include "bspline_curve/error.h"
-#include "surface/error_messages.h"
+#include "text/error_messages.h"
 
 #include <algorithm>
 #include <cmath>

@@ -45,6 +45,14 @@ bool DrawingSession::hides(const Pointer& pointer, const Vec3& point) const {
     return !isInSight(pointer, seenBy(pointer), point);
 }
 
+bool DrawingSession::hides(const Pointer& pointer, const SketchPick& pick) const {
+    const TriangleTree::Hit seen = seenBy(pointer);
+    const double along = (pick.position - pointer.start).dot(pointer.direction);
+    const bool isFromBehind = normalAt(pick.point).dot(pointer.direction) > 0.0;
+    return !isInSight(pointer, seen, pick.position) ||
+           (isFromBehind && seen.point.face >= 0 && along - seen.distance > pointer.pixelAt(along));
+}
+
 SurfacePoint DrawingSession::pointUnder(const Pointer& pointer, const Seen& seen) {
     const Surface& surface = solver_->designer->surface();
     snapped_ = {SnapKind::None, seen.point};

@@ -101,8 +101,15 @@ void DrawingSession::setFree(int pick) {
 
 Vec3 DrawingSession::normalAt(const SurfacePoint& point) const {
     const Surface& surface = solver_->designer->surface();
-    const std::optional<SurfacePoint> own = surface.provenance().fromInput(point);
+    const std::optional<SurfacePoint> own =
+        point.face < 0 ? std::nullopt : surface.provenance().fromInput(point);
     return own ? surface.faceNormal(own->face) : Vec3(Vec3::Zero());
+}
+
+std::optional<Vec3> DrawingSession::handle(
+    const SketchPick& pick, int side, const Pointer& pointer
+) const {
+    return tangentHandle(pick, side, pointer, settings_.handlePixels);
 }
 
 int DrawingSession::handleUnder(const Pointer& pointer, const Seen& seen) const {

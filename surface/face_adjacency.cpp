@@ -2,8 +2,8 @@
 #include "surface/face_adjacency.h"
 
 #include "bspline_curve/error.h"
-#include "surface/error_messages.h"
 #include "surface/half_edges.h"
+#include "text/error_messages.h"
 #include "utility/disjoint_sets.h"
 #include "utility/index_sets.h"
 #include "utility/large_array.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "surface/mesh_checksum.h"
+#include "bspline_curve/mesh_checksum.h"
 
 #include <bit>
 #include <cstddef>

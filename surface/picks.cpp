@@ -3,7 +3,7 @@
 
 #include "bspline_curve/error.h"
 #include "surface/closest_point.h"
-#include "surface/error_messages.h"
+#include "text/error_messages.h"
 #include "utility/index_sets.h"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface/repair.h"
 
-#include "surface/error_messages.h"
 #include "surface/mesh_checks.h"
 #include "surface/repair_steps.h"
+#include "text/error_messages.h"
 
 #include <Eigen/Geometry>
 

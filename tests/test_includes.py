@@ -6,33 +6,15 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parents[1]
-ROOMS = ["utility", "surface", "spline", "shell", "tetrahedra", "projection", "solver", "design", "imprint", "offset", "fill", "pattern", "field", "workpiece", "sketch", "io", "filters"]
+ROOMS = ["utility", "text", "surface", "spline", "shell", "projection", "solver", "design", "imprint", "offset", "fill", "pattern", "field", "workpiece", "sketch", "io", "tetrahedra", "filters"]
 HOSTS = ["cli", "filter_bspline_curve", "filter_bspline_curve_legacy", "edit_bspline_curve", "edit_bspline_curve_legacy",
          "python/core", "web/core"]
 
-# What hosts include besides public headers and filters/, which is the layer of options and layers that is theirs.
-BESIDES = {
-    # The program's reports, tables of batches and formats of shells are files that it alone has.
-    "cli": {"io/csv.h", "io/field_report.h", "io/fit_report.h", "io/imprint_writer.h", "io/job_results.h", "io/offset_report.h",
-            "io/pattern_report.h", "io/report_writer.h", "io/shell_report.h", "io/shell_writer.h", "io/tetrahedral_grid.h",
-            "tetrahedra/conforming_tetrahedra.h",
-            # Shells from one run to the next; several files read on one tree, with its words for errors; the verb `shell`.
-            "io/shell_cache.h", "shell/shell_store.h", "io/curves_on_surface.h",
-            "workpiece/workpiece_parts.h"},
-    # Layers of MeshLab: the cache of their workpieces, checksums of layers that are no mesh.
-    "filter_bspline_curve": {"workpiece/layer_input.h", "workpiece/workpiece_cache.h", "surface/mesh_checksum.h"},
-    "filter_bspline_curve_legacy": {"workpiece/workpiece_cache.h"},
-    # What of a curve the surface hides, face by face.
-    "edit_bspline_curve": {"sketch/hit_test.h", "sketch/tangent_handles.h", "surface/surface_point.h", "workpiece/workpiece_parts.h"},
-    # The package has no library for JSON and XML: it reads and writes these itself, and takes the formats one by one.
-    "python/core": {"io/curve_formats.h", "io/drawing_formats.h", "pattern/drawing_builder.h"},
-    # Files in memory, and no XML.
-    "web/core": {"io/picks_formats.h", "io/polyline_formats.h", "io/xml_tree.h"},
-}
-# Words for people, names and bytes of files, times: small, and the same in all hosts.
-BESIDES_ALL = {"imprint/part_colours.h", "io/atomic_file.h", "io/carried_extras.h", "io/font_search.h", "io/length_unit.h",
-               "io/number_text.h", "io/text_parsing.h", "surface/error_messages.h", "surface/picks.h", "utility/index_sets.h",
-               "utility/stopwatch.h", "workpiece/curve_notes.h"}
+# What hosts include besides public headers: helpers that know nothing of meshes, and filters/, the layer of options and
+# layers that is theirs.
+HELPERS = {"utility", "text", "filters"}
+# Built where TetGen is there, so no part of the library.
+BESIDES = {"cli": {"tetrahedra/conforming_file.h"}}
 
 
 def included_by(room):
@@ -65,16 +47,18 @@ def test_the_solver_knows_nothing_of_the_paper():
 
 
 @pytest.mark.parametrize("host", HOSTS)
-def test_hosts_include_public_headers_and_what_is_listed(host):
-    own = {"bspline_curve", "filters", *(other.split("/")[0] for other in HOSTS)}
+def test_hosts_include_public_headers_and_helpers_alone(host):
+    own = {"bspline_curve", *HELPERS, *(other.split("/")[0] for other in HOSTS)}
     others = {header for _, header in included_by(host) if "/" in header and header.split("/")[0] not in own}
-    besides = BESIDES.get(host, set())
-    assert others - besides - BESIDES_ALL == set()
-    assert besides - others == set(), "no longer needed"
+    assert others == BESIDES.get(host, set())
 
 
-def test_what_all_hosts_may_include_is_needed():
-    assert BESIDES_ALL - {header for host in HOSTS for _, header in included_by(host)} == set()
+@pytest.mark.parametrize("room", ["utility", "text"])
+def test_helpers_know_no_mesh(room):
+    known = {"bspline_curve/error.h", "bspline_curve/progress.h"}
+    wrong = [f"{path} includes {header}" for path, header in included_by(room)
+             if "/" in header and header.split("/")[0] not in ("utility", "text") and header not in known]
+    assert wrong == []
 
 
 def test_public_headers_include_public_headers_alone():

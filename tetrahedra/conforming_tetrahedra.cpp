@@ -4,10 +4,10 @@
 #include "bspline_curve/error.h"
 #include "bspline_curve/progress.h"
 #include "shell/affine_form.h"
-#include "surface/error_messages.h"
 #include "surface/predicates.h"
 #include "surface/surface_point.h"
 #include "tetrahedra/facet_complex.h"
+#include "text/error_messages.h"
 
 #include <tetgen.h>
 

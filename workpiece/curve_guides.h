@@ -6,7 +6,6 @@
 #include "bspline_curve/field.h"
 #include "bspline_curve/progress.h"
 #include "surface/surface.h"
-#include "workpiece/layer_input.h"
 
 #include <span>
 #include <vector>

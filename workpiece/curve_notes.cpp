@@ -1,27 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "workpiece/curve_notes.h"
 
-#include "surface/error_messages.h"
+#include "text/error_messages.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
 namespace bspline_curve {
-
-std::string asSentence(std::string note) {
-    note.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(note.front())));
-    return note + ".";
-}
-
-void addSentences(std::vector<std::string>& sentences, const std::vector<std::string>& notes) {
-    for (const std::string& note : notes) {
-        sentences.push_back(asSentence(note));
-    }
-}
 
 std::string describeUnusable(const SolveReport& report) {
     constexpr double kMissed = 1e-9;  // of the diagonal; constraints are met to rounding
@@ -110,20 +98,6 @@ std::string describeDetours(const SolveReport& report) {
         "the shortest path on the mesh: what it follows or avoids leads it round"
     );
     return text;
-}
-
-std::string describeLayers(const std::vector<std::string>& names) {
-    constexpr std::size_t kMostNames = 6;
-    const std::size_t named = names.size() > kMostNames ? kMostNames - 1 : names.size();
-    std::string text = "The mesh is parted into " + std::to_string(names.size()) + " layers: ";
-    for (std::size_t i = 0; i < named; ++i) {
-        const bool isLast = i + 1 == names.size();
-        text += (i == 0 ? "\"" : isLast ? " and \"" : ", \"") + names[i] + "\"";
-    }
-    if (named < names.size()) {
-        text += " and " + std::to_string(names.size() - named) + " more";
-    }
-    return text + ".";
 }
 
 }  // namespace bspline_curve

@@ -8,12 +8,6 @@
 
 namespace bspline_curve {
 
-/// A note as a sentence of its own: with a capital, and a stop.
-[[nodiscard]] std::string asSentence(std::string note);
-
-/// Appends notes as sentences.
-void addSentences(std::vector<std::string>& sentences, const std::vector<std::string>& notes);
-
 /// Why a curve is not usable, for people: how it was made, how far it is from the surface, on which
 /// parameters and faces that is, as far as it is known, and what to do. One line without a stop.
 [[nodiscard]] std::string describeUnusable(const SolveReport& report);
@@ -30,8 +24,5 @@ void addSentences(std::vector<std::string>& sentences, const std::vector<std::st
 /// What people must know of a curve that was drawn, in the order in which hosts say it: of repeated
 /// picks, of the field, and why it is not usable.
 [[nodiscard]] std::vector<std::string> notesOf(const SolveReport& report);
-
-/// That a mesh was parted into layers of these names: the first few of them.
-[[nodiscard]] std::string describeLayers(const std::vector<std::string>& names);
 
 }  // namespace bspline_curve

@@ -3,9 +3,9 @@
 #include "bspline_curve/error.h"
 #include "bspline_curve/pieces.h"
 #include "bspline_curve/spline.h"
-#include "surface/error_messages.h"
 #include "surface/strict_line.h"
 #include "surface/surface_point.h"
+#include "text/error_messages.h"
 #include "workpiece/workpiece_parts.h"
 
 #include <algorithm>

@@ -3,9 +3,9 @@
 #include "bspline_curve/lines.h"
 #include "spline/spline_sections.h"
 #include "spline/spline_space.h"
-#include "surface/error_messages.h"
 #include "surface/surface_point.h"
 #include "surface/vertex_normals.h"
+#include "text/error_messages.h"
 
 #include <Eigen/Geometry>
 

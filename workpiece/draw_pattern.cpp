@@ -6,11 +6,11 @@
 #include "pattern/pattern_layout.h"
 #include "pattern/point_chart.h"
 #include "pattern/relief_smoothing.h"
-#include "surface/error_messages.h"
 #include "surface/picks.h"
 #include "surface/strict_line.h"
 #include "surface/surface_point.h"
 #include "surface/triangle_tree.h"
+#include "text/error_messages.h"
 #include "workpiece/workpiece_parts.h"
 
 #include <cmath>

@@ -3,9 +3,9 @@
 #include "bspline_curve/pieces.h"
 #include "offset/surface_fan.h"
 #include "pattern/straightest_path.h"
-#include "surface/error_messages.h"
 #include "surface/strict_line.h"
 #include "surface/surface_point.h"
+#include "text/error_messages.h"
 #include "workpiece/curve_chain.h"
 #include "workpiece/workpiece_parts.h"
 

@@ -3,7 +3,7 @@
 #include "bspline_curve/lines.h"
 #include "bspline_curve/progress.h"
 #include "imprint/projected_polyline.h"
-#include "surface/error_messages.h"
+#include "text/error_messages.h"
 
 #include <cstddef>
 #include <string>

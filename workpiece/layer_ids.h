@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bspline_curve/curve_options.h"
 #include "bspline_curve/error.h"
-#include "workpiece/layer_input.h"
 
 #include <string>
 

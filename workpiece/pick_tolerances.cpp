@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bspline_curve/curve_options.h"
 #include "bspline_curve/error.h"
-#include "surface/error_messages.h"
+#include "text/error_messages.h"
 
 #include <algorithm>
 #include <charconv>

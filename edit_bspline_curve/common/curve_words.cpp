@@ -3,7 +3,7 @@
 
 #include "bspline_curve/curve.h"
 #include "filters/labels.h"
-#include "surface/error_messages.h"
+#include "text/error_messages.h"
 
 #include <string>
 

@@ -4,10 +4,6 @@
 #include "edit_bspline_curve/common/handle_glyph.h"
 #include "edit_bspline_curve/common/line_style.h"
 #include "edit_bspline_curve/common/snap_glyph.h"
-#include "sketch/hit_test.h"
-#include "sketch/tangent_handles.h"
-#include "surface/surface_point.h"
-#include "workpiece/workpiece_parts.h"
 
 #include <Eigen/Geometry>
 
@@ -45,10 +41,7 @@ struct PaintedPick {
 class Painter {
 public:
     Painter(const DrawingSession& session, const View& view)
-        : session_(session),
-          view_(view),
-          surface_(surfaceOf(session.workpiece())),
-          projection_(view, kLift) {}
+        : session_(session), view_(view), projection_(view, kLift) {}
 
     // What lies on the surface.
     [[nodiscard]] ScreenBatch lines() const {
@@ -90,8 +83,9 @@ public:
         }
         const Snap& snapped = session_.snapped();
         if (snapped.kind != SnapKind::None) {
-            if (const auto place =
-                    nodeOf({snapped.point, positionOf(surface_.input(), snapped.point)})) {
+            if (const auto place = nodeOf(
+                    {snapped.point, positionOf(session_.workpiece().mesh(), snapped.point)}
+                )) {
                 addSnapGlyph(shown, *place, snapped.kind, view_.ratio());
             }
         }
@@ -107,20 +101,16 @@ private:
                (c == session_.sketch().active || c == session_.hovered().curve);
     }
 
-    // As the surface looks, on which faces may have been turned; 0 where it has none.
-    [[nodiscard]] Vec3 normalAt(const SurfacePoint& point) const {
-        const auto own = point.face < 0 ? std::nullopt : surface_.provenance().fromInput(point);
-        return own ? surface_.faceNormal(own->face) : Vec3(Vec3::Zero());
-    }
-
     [[nodiscard]] std::optional<ScreenNode> nodeOf(const SketchPick& pick) const {
-        return projection_.node(pick.position, normalAt(pick.point));
+        return projection_.node(pick.position, session_.normalAt(pick.point));
     }
 
     [[nodiscard]] std::vector<ScreenLine> onScreen(
         const SurfacePolyline& line, const std::vector<Vec3>& points, bool closed
     ) const {
-        const auto normalOf = [&](std::size_t i) { return normalAt(line.surfacePoints[i]); };
+        const auto normalOf = [&](std::size_t i) {
+            return session_.normalAt(line.surfacePoints[i]);
+        };
         return projection_.lines(points, normalOf, closed);
     }
 
@@ -150,12 +140,13 @@ private:
     // Round each pick that the curve need not pass, how far from it that may be.
     void addLeeways(ScreenBatch& batch, const SketchCurve& curve) const {
         constexpr int kCorners = 48;
-        const double reach = curve.options.solver.pickTolerance.in(surface_.averageEdgeLength());
+        const double reach =
+            curve.options.solver.pickTolerance.in(session_.workpiece().meanEdgeLength());
         if (curve.look.isHidden || !(reach > 0.0)) {
             return;
         }
         for (const SketchPick& pick : curve.picks) {
-            const Vec3 normal = normalAt(pick.point);
+            const Vec3 normal = session_.normalAt(pick.point);
             if (kindOf(pick) != PickKind::Automatic || normal.isZero(0.0)) {
                 continue;
             }
@@ -168,7 +159,7 @@ private:
                     pick.position + reach * (std::cos(angle) * first + std::sin(angle) * second)
                 );
             }
-            const auto normalOf = [&](std::size_t) { return normalAt(pick.point); };
+            const auto normalOf = [&](std::size_t) { return session_.normalAt(pick.point); };
             for (const ScreenLine& line : projection_.lines(circle, normalOf, true)) {
                 batch.addStroke(line, kPreviewHalo * view_.ratio(), {kDark, kPreviewHaloAlpha});
                 batch.addStroke(line, kPreview * view_.ratio(), {kPreviewColour});
@@ -183,7 +174,7 @@ private:
         for (const SketchPick& pick : stroke) {
             points.push_back(pick.position);
         }
-        const auto normalOf = [&](std::size_t i) { return normalAt(stroke[i].point); };
+        const auto normalOf = [&](std::size_t i) { return session_.normalAt(stroke[i].point); };
         const double ratio = view_.ratio();
         for (const ScreenLine& line : projection_.lines(points, normalOf, false)) {
             batch.addStroke(line, kPreviewHalo * ratio, {kDark, kPreviewHaloAlpha});
@@ -214,17 +205,8 @@ private:
         return state;
     }
 
-    // As for what is hit, but for faces that are seen from behind: what lies just before them is
-    // the other side of a thin plate.
     [[nodiscard]] bool isHidden(const SketchPick& pick) const {
-        const Pointer pointer = view_.pointerAt(view_.positionOf(pick.position));
-        const TriangleTree::Hit seen =
-            designerOf(session_.workpiece()).tree().firstHit(pointer.start, pointer.direction);
-        const double along = (pick.position - pointer.start).dot(pointer.direction);
-        const bool isFromBehind = normalAt(pick.point).dot(pointer.direction) > 0.0;
-        return !isInSight(pointer, seen, pick.position) ||
-               (isFromBehind && seen.point.face >= 0 &&
-                along - seen.distance > pointer.pixelAt(along));
+        return session_.hides(view_.pointerAt(view_.positionOf(pick.position)), pick);
     }
 
     // Of a curve, in order; nothing for those behind the eye.
@@ -260,11 +242,11 @@ private:
             return;
         }
         const SketchPick& pick = session_.sketch().activeCurve()->picks[selected];
-        const Vec3 normal = normalAt(pick.point);
+        const Vec3 normal = session_.normalAt(pick.point);
         const Pointer pointer = view_.pointerAt(view_.positionOf(pick.position));
         const auto middle = projection_.node(pick.position, normal);
         for (const int side : {1, -1}) {
-            const auto handle = tangentHandle(pick, side, pointer, session_.handlePixels());
+            const auto handle = session_.handle(pick, side, pointer);
             const auto end = handle ? projection_.node(*handle, normal) : std::nullopt;
             if (middle && end) {
                 const bool isHovered = session_.hovered().handle == side;
@@ -348,7 +330,6 @@ private:
 
     const DrawingSession& session_;
     const View& view_;
-    const Surface& surface_;
     ScreenProjection projection_;
 };
 

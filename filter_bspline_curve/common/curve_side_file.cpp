@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filter_bspline_curve/common/curve_side_file.h"
 
+#include "bspline_curve/atomic_file.h"
 #include "bspline_curve/error.h"
 #include "filter_bspline_curve/common/curve_source.h"
 #include "filter_bspline_curve/common/layer_arrays.h"
@@ -8,8 +9,7 @@
 #include "filter_bspline_curve/common/polyline_layer.h"
 #include "filters/curve_records.h"
 #include "filters/utf8_path.h"
-#include "io/atomic_file.h"
-#include "io/text_parsing.h"
+#include "text/text_parsing.h"
 #include "utility/index_sets.h"
 
 #include <algorithm>

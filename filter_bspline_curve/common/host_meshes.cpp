@@ -3,7 +3,7 @@
 
 #include "bspline_curve/progress.h"
 #include "filter_bspline_curve/common/layer_making.h"
-#include "imprint/part_colours.h"
+#include "filters/part_colours.h"
 
 #include <vcg/complex/algorithms/update/normal.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bspline_curve/mesh_checksum.h"
+#include "filters/pick_candidates.h"
 #include "host_document.h"
-#include "surface/mesh_checksum.h"
-#include "workpiece/layer_input.h"
 
 #include <Eigen/Geometry>
 

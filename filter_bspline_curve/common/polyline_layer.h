@@ -2,10 +2,10 @@
 #pragma once
 
 #include "bspline_curve/curve.h"
+#include "bspline_curve/mesh_checksum.h"
 #include "filter_bspline_curve/common/layer_arrays.h"
 #include "filters/run_curve_uses.h"
 #include "host_document.h"
-#include "surface/mesh_checksum.h"
 
 #include <QString>
 #include <optional>

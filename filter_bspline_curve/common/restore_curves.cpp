@@ -13,7 +13,7 @@
 #include "filters/curve_records.h"
 #include "filters/drawn_curve_file.h"
 #include "filters/utf8_path.h"
-#include "io/text_parsing.h"
+#include "text/text_parsing.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -23,7 +23,7 @@
 #include "filters/run_edit.h"
 #include "filters/run_fit.h"
 #include "filters/run_pattern.h"
-#include "workpiece/curve_notes.h"
+#include "text/sentences.h"
 
 #include <algorithm>
 #include <functional>

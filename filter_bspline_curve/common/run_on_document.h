@@ -2,9 +2,9 @@
 #pragma once
 
 #include "filters/run_filters.h"
+#include "filters/workpiece_cache.h"
 #include "host_document.h"
 #include "host_parameters.h"
-#include "workpiece/workpiece_cache.h"
 
 #include <exception>
 #include <functional>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "filters/pick_candidates.h"
 #include "filters/requests.h"
 #include "host_document.h"
-#include "workpiece/layer_input.h"
 
 namespace bspline_curve {
 

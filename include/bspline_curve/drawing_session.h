@@ -211,6 +211,18 @@ public:
 
     /// Whether the surface hides a point that the pointer points at.
     [[nodiscard]] bool hides(const Pointer& pointer, const Vec3& point) const;
+    /// The same of a pick, which is hidden as well where its face is seen from behind and another
+    /// one is before it: the other side of a thin plate.
+    [[nodiscard]] bool hides(const Pointer& pointer, const SketchPick& pick) const;
+
+    /// Unit normal of a face as the mended mesh has it; zero where that does not have the face.
+    [[nodiscard]] Vec3 normalAt(const SurfacePoint& point) const;
+
+    /// Where the handle of a pick's direction is as the pointer's viewer sees it, `side`: 1 ahead,
+    /// -1 behind. None where that side has no direction.
+    [[nodiscard]] std::optional<Vec3> handle(
+        const SketchPick& pick, int side, const Pointer& pointer
+    ) const;
 
     /// Waits until all curves are settled, but for the one whose pick is being dragged.
     void settle();
@@ -266,7 +278,6 @@ private:
     // Kinds of picks, and handles.
     bool changeKind();
     void setFree(int pick);
-    [[nodiscard]] Vec3 normalAt(const SurfacePoint& point) const;
     [[nodiscard]] int handleUnder(const Pointer& pointer, const Seen& seen) const;
     bool pressHandle(const Pointer& pointer, const Seen& seen);
     void turn(const Pointer& pointer);

@@ -5,6 +5,8 @@
 #include "bspline_curve/curve_options.h"
 #include "bspline_curve/lines.h"
 #include "bspline_curve/mesh.h"
+#include "bspline_curve/mesh_checksum.h"
+#include "bspline_curve/parts.h"
 #include "bspline_curve/pattern.h"
 #include "bspline_curve/workpiece.h"
 
@@ -12,10 +14,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 // Files in and out. Formats are known by the ends of names, in either case. All functions may be
@@ -69,6 +73,14 @@ struct MeshExtras {
 /// Those of a .ply or .obj file that readMeshFile() has read; none of other formats. Throws
 /// InputError (UnreadableFile). O(n).
 [[nodiscard]] MeshExtras readMeshExtras(const std::filesystem::path& file);
+
+/// The extras of a mesh that was made of another, whose faces are `parents`: numbers of vertices
+/// and corners are linear in the face that they are in, those of types of whole numbers but colours
+/// as at the nearest corner; normals have the length 1. A vertex that fills a hole has the mean of
+/// its rim, a face that does 0, and the heading of none. O(n).
+[[nodiscard]] MeshExtras carriedExtras(
+    const MeshExtras& extras, const MadeMesh& made, const std::vector<Triangle>& parents
+);
 
 /// A mesh of a file.
 struct MeshFile {
@@ -135,6 +147,21 @@ void writeMesh(
 
 /// The unit of a mesh, which formats of CAD have to name.
 enum class LengthUnit : std::uint8_t { Millimetre, Centimetre, Metre, Micrometre, Inch, Foot };
+
+inline constexpr std::array<LengthUnit, 6> kLengthUnits{
+    LengthUnit::Millimetre,
+    LengthUnit::Centimetre,
+    LengthUnit::Metre,
+    LengthUnit::Micrometre,
+    LengthUnit::Inch,
+    LengthUnit::Foot
+};
+
+/// As users write it: "mm".
+[[nodiscard]] std::string_view name(LengthUnit unit);
+
+/// The unit of such a word; none: there is no such unit.
+[[nodiscard]] std::optional<LengthUnit> lengthUnitOf(std::string_view word);
 
 /// The ends of names of curve files, for help and messages: ".ply, .obj, …".
 [[nodiscard]] std::string curveExtensions();
@@ -225,11 +252,30 @@ struct CurveReading {
     const char* remedy = "allow a larger distance";
 };
 
-/// Reads curves of a file onto a mesh. Those of .json are read exactly where they were drawn, by
-/// their faces and barycentric coordinates, and so are polylines of .ply, .csv and .vtu whose
-/// places are on this mesh; all others are projected, see readPolylines() and projectedLines(); a
-/// note tells where they jump, and where they are beside the mesh. O(n log n). Throws InputError
-/// (UnreadableFile; NoPath: a curve of another mesh; PickTooFar; BadOption) naming the file.
+/// Reads curves of files onto a mesh, all with one tree of its faces. Those of .json are read
+/// exactly where they were drawn, by their faces and barycentric coordinates, and so are polylines
+/// of .ply, .csv and .vtu whose places are on this mesh; all others are projected, see
+/// readPolylines() and projectedLines(); a note tells where they jump, and where they are beside
+/// the mesh. O(n log n). Throws InputError (UnreadableFile; NoPath: a curve of another mesh;
+/// PickTooFar; BadOption) naming the file.
+class CurveFileReader {
+public:
+    /// The workpiece must outlive this.
+    explicit CurveFileReader(const Workpiece& workpiece, CurveReading reading = {});
+    ~CurveFileReader();
+    CurveFileReader(CurveFileReader&&) noexcept;
+    CurveFileReader& operator=(CurveFileReader&&) noexcept;
+
+    [[nodiscard]] CurvesOfFile read(const std::filesystem::path& file);
+    /// The same of a file with one curve; refuses another number.
+    [[nodiscard]] SurfacePolyline readOne(const std::filesystem::path& file);
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+/// The curves of one file.
 [[nodiscard]] CurvesOfFile readCurvesOn(
     const Workpiece& workpiece, const std::filesystem::path& file, const CurveReading& reading = {}
 );
@@ -304,6 +350,40 @@ struct DrawingFile {
 [[nodiscard]] DrawingFile readDrawing(
     const std::filesystem::path& file, const std::vector<std::string>& layers = {}
 );
+
+/// An element of an XML document, as a parser has read it.
+struct XmlElement {
+    std::string name;  ///< without its prefix
+    std::vector<std::pair<std::string, std::string>> attributes;
+    std::vector<XmlElement> children;
+    std::string text;      ///< before its first child
+    std::size_t line = 0;  ///< of the file, from 1
+
+    /// The value of an attribute; empty where there is none.
+    [[nodiscard]] std::string_view attribute(std::string_view key) const {
+        for (const auto& [own, value] : attributes) {
+            if (own == key) {
+                return value;
+            }
+        }
+        return {};
+    }
+};
+
+/// The drawing of an SVG document whose root element this is, as readDrawing() has it; `file` is
+/// for messages. For programs that parse XML themselves. It may have no path. Throws likewise.
+[[nodiscard]] DrawingFile drawingOfSvg(const std::filesystem::path& file, const XmlElement& root);
+
+/// The same of the bytes of a DXF.
+[[nodiscard]] DrawingFile drawingOfDxf(
+    const std::filesystem::path& file,
+    std::string_view bytes,
+    const std::vector<std::string>& layers = {}
+);
+
+/// The drawing of path data as SVG has them ("M 0 0 L 1 1 …", y downwards), y upwards. Throws
+/// InputError (BadOption) saying what is wrong at which character.
+[[nodiscard]] Drawing drawingOfSvgPath(std::string_view data);
 
 /// The outlines of a line of text, in UTF-8, in the letters of a font file (TrueType, OpenType,
 /// Type 1): one unit is the font's em, and the letters stand on y = 0, the baseline. Kerning is

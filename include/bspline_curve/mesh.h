@@ -6,7 +6,6 @@
 #include <array>
 #include <cstdint>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace bspline_curve {
@@ -70,23 +69,5 @@ using Region = std::vector<int>;
 
 /// One flag per face: 1 in the region.
 [[nodiscard]] std::vector<char> faceFlags(const TriangleMesh& mesh, const Region& region);
-
-/// By what a mesh is known again: how many vertices and faces, and the CRC-32 (that of zlib and
-/// PNG) of x y z of each vertex as little-endian floats, then of the three vertices of each face as
-/// little-endian 32-bit integers. Coordinates are rounded to floats, and -0 counts as 0, so that
-/// programs with floats and with doubles agree. The same on every platform.
-struct MeshChecksum {
-    std::int64_t vertices = 0;
-    std::int64_t faces = 0;
-    std::uint32_t crc32 = 0;
-
-    friend bool operator==(const MeshChecksum&, const MeshChecksum&) = default;
-
-    /// The CRC-32 as 8 hexadecimal digits.
-    [[nodiscard]] std::string digits() const;
-};
-
-/// O(n).
-[[nodiscard]] MeshChecksum checksumOf(const TriangleMesh& mesh);
 
 }  // namespace bspline_curve

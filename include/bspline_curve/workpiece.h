@@ -6,6 +6,7 @@
 #include "bspline_curve/error.h"
 #include "bspline_curve/field.h"
 #include "bspline_curve/mesh.h"
+#include "bspline_curve/mesh_checksum.h"
 #include "bspline_curve/options.h"
 #include "bspline_curve/progress.h"
 #include "bspline_curve/repair.h"

@@ -99,7 +99,7 @@ def save(curve: Curve, file: str | os.PathLike[str], unit: str) -> None:
 
     path = Path(file_name(file))
     name = path.name.lower()
-    ends = _core.curve_ends()
+    ends = _core.curve_extensions().split(", ")
     end = next((end for end in ends if name.endswith(end) and name != end), None)
     if end is not None:
         field = curve.values if curve._bound().made_field() is not None else np.empty(0)

@@ -23,7 +23,7 @@ from ._inputs import mesh_arrays
 from ._keywords import CURVE, FIELD, SHELL, Avoid, Field, MeshKeywords
 from ._lines import Line, Placing, curves_on
 from ._options import Progress, Value, changed, checked_number, part_of
-from ._pattern import Pattern, Planar, patterned
+from ._pattern import Pattern, Planar, carried_drawing, patterned
 from ._ways import Places, distances_to, way_between
 
 if TYPE_CHECKING:
@@ -577,10 +577,12 @@ class Mesh(MeshKeywords):
 
     def pattern(
         self,
-        drawing: Planar,
+        drawing: Planar | None = None,
         centre: npt.ArrayLike | None = None,
         along: Line | None = None,
         *,
+        text: str = "",
+        font: str | os.PathLike[str] = "",
         up: npt.ArrayLike | None = None,
         layers: Sequence[str] = (),
         size: float = 0.0,
@@ -598,14 +600,20 @@ class Mesh(MeshKeywords):
 
         Parameters
         ----------
-        drawing : file name, str or sequence of (n, 2) arrays
+        drawing : file name, str or sequence of (n, 2) arrays, default None
             A file .svg or .dxf, path data of SVG ("M0 0 L1 1"), or polylines, y upwards; one that ends where it begins is closed.
+            None: `text` is carried.
         centre : (3,) array of float
             Carry the drawing round this point: its middle comes to lie there, and other points at the ends of straightest
             geodesics of their distances (exponential map).
         along : Curve, (n, 3) array or BSpline of scipy
             In place of `centre`: the drawing's x axis runs along this curve, its y axis to the left of it, seen with the
             surface's normal upwards.
+        text : str, default ""
+            A line of text in place of `drawing`, as outlines of the letters of `font`: one unit is the font's em, and the
+            letters stand on the curve. Needs fontTools: pip install fonttools.
+        font : file name, default ""
+            A font .ttf or .otf; "": a plain one of this system.
         up : (3,) array of float, default None
             Direction in space that the drawing's up follows at the centre; None: the y axis, or z where the surface faces
             along y.
@@ -653,7 +661,8 @@ class Mesh(MeshKeywords):
         """
         options = {"size": size, "scale": scale, "repeat": repeat, "spacing": spacing, "start": start, "shift": shift}
         options |= {"corner_angle": corner_angle, "tolerance": tolerance, "smoothing": smoothing}
-        return patterned(self, drawing, centre, along, up, layers, options, progress)
+        carried = carried_drawing(drawing, layers, text, font)
+        return patterned(self, carried, centre, along, up, options, progress)
 
     def _make_field(
         self,

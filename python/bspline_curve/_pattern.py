@@ -18,6 +18,7 @@ from ._drawing import Drawing
 from ._errors import FileError, InputError
 from ._lines import Line, curve_on
 from ._options import Option, Progress, checked_number
+from ._text import text_drawing
 
 if TYPE_CHECKING:
     from ._mesh import Mesh
@@ -88,11 +89,10 @@ class Pattern(NamedTuple):
 
 def patterned(
     mesh: Mesh,
-    drawing: Planar,
+    drawing: _core.Drawing,
     centre: npt.ArrayLike | None,
     along: Line | None,
     up: npt.ArrayLike | None,
-    layers: Sequence[str],
     options: dict[str, Any],
     progress: Progress | None,
 ) -> Pattern:
@@ -103,9 +103,7 @@ def patterned(
     place["up"] = None if up is None else _three(up, "up")
     place["along"] = None if along is None else curve_on(mesh, along, "along")._core
     try:
-        curves, paths, copies, tolerance, deviation, *extremes = _core.pattern(
-            mesh._core, planar_drawing(drawing, layers), place, progress
-        )
+        curves, paths, copies, tolerance, deviation, *extremes = _core.pattern(mesh._core, drawing, place, progress)
     except InputError as error:
         # Ids are those of paths, which the message names.
         raise (InputError(str(error), error.code) if error.code == "no-path" else error) from None
@@ -118,6 +116,21 @@ def patterned(
         deviation,
         *(Distortion(ratio, path, copy, np.array(position)) for ratio, path, copy, position in extremes),
     )
+
+
+def carried_drawing(
+    drawing: Planar | None, layers: Sequence[str], text: str, font: str | os.PathLike[str]
+) -> _core.Drawing:
+    """What a user gives to be carried, as the core takes it."""
+    if (drawing is None) == (text == ""):
+        raise InputError("give one of drawing and text", "bad-option")
+    if drawing is not None:
+        if os.fspath(font):
+            raise InputError("font is for text, and a drawing is given", "bad-option")
+        return planar_drawing(drawing, layers)
+    if len(layers):
+        raise InputError("layers are chosen in .dxf alone", "bad-option")
+    return text_drawing(text, font)
 
 
 def planar_drawing(given: Planar, layers: Sequence[str]) -> _core.Drawing:

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bspline_curve/workpiece.h"
-#include "surface/error_messages.h"
+#include "text/error_messages.h"
 
 #include <nanobind/nanobind.h>
 

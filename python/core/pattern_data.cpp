@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bspline_curve/error.h"
+#include "bspline_curve/drawing_builder.h"
+#include "bspline_curve/files.h"
 #include "bspline_curve/pattern.h"
-#include "io/drawing_formats.h"
-#include "pattern/drawing_builder.h"
 #include "python/core/arrays.h"
 #include "python/core/bindings.h"
 #include "python/core/python_progress.h"
@@ -15,7 +14,6 @@
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -84,15 +82,11 @@ nb::list pathsOf(const Drawing& drawing) {
     return paths;
 }
 
-/// Of path data as SVG has it, y downwards.
-Drawing pathDrawing(const std::string& data) {
-    DrawingBuilder pen;
-    try {
-        drawSvgPath(data, pen);
-    } catch (const std::invalid_argument& error) {
-        throw InputError(InputErrorCode::BadOption, std::string("the path data: ") + error.what());
-    }
-    return mapped(pen.take(), Eigen::Affine2d(Eigen::Scaling(1.0, -1.0)));
+/// Of a line of text, as path data.
+Drawing textDrawing(const std::string& data) {
+    Drawing drawing = drawingOfSvgPath(data);
+    drawing.baseline = 0.0;
+    return drawing;
 }
 
 /// Of polylines, y upwards; one whose last point is the first is closed.
@@ -206,7 +200,11 @@ void bindPattern(nb::module_& module) {
         .def_prop_ro("paths", pathsOf);
     module.def("svg_drawing", svgDrawing);
     module.def("dxf_drawing", dxfDrawing);
-    module.def("path_drawing", pathDrawing);
+    module.def("path_drawing", drawingOfSvgPath);
+    module.def("text_drawing", textDrawing);
+    module.def("font_or_default", [](const std::string& file) {
+        return fontOrDefault(file).string();
+    });
     module.def("polyline_drawing", polylineDrawing);
     module.def("pattern", pattern, nb::arg(), nb::arg(), nb::arg(), nb::arg().none());
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/run_curve_uses.h"
 #include "filters/runs_on_plates.h"
-#include "workpiece/curve_notes.h"
+#include "text/sentences.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "workpiece/workpiece_cache.h"
+#include "filters/workpiece_cache.h"
 
 #include "bspline_curve/error.h"
 #include "support/meshes.h"

@@ -2,7 +2,7 @@
 // Every file of the corpus is an answer or a refusal, without a fuzzer: what was found once stays
 // found.
 #include "fuzz/fuzz_target.h"
-#include "io/text_parsing.h"
+#include "text/text_parsing.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,6 @@
 #include "fuzz/fuzz_target.h"
 #include "io/byte_stream.h"
 #include "io/curve_reader.h"
-#include "io/curves_on_surface.h"
 #include "io/picks_formats.h"
 #include "io/shell_file.h"
 #include "shell/extended_surface.h"
@@ -111,9 +110,7 @@ void readForeignCurveBytes(std::string_view bytes) {
     for (const auto& [checksum, workpiece] : curveMeshes()) {
         const Surface& surface = surfaceOf(workpiece);
         try {
-            CurvesOnSurface curves(
-                surface, checksum, {.projection = {.distance = surface.diagonal()}}
-            );
+            CurveFileReader curves(workpiece, {.projection = {.distance = surface.diagonal()}});
             for (const SurfacePolyline& line : curves.read(file.path()).lines) {
                 require(
                     isStrict(surface, strictLine(surface, line, "it")),

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bspline_curve/error.h"
 #include "bspline_curve/files.h"
+#include "cli/reports/job_results.h"
 #include "fuzz/fuzz_file.h"
 #include "fuzz/fuzz_target.h"
-#include "io/job_results.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "imprint/part_choice.h"
 
-#include "imprint/part_colours.h"
 #include "imprint/random_curves.h"
 #include "support/many_cases.h"
 #include "support/meshes.h"
@@ -187,18 +186,6 @@ TEST(PartChoice, EveryPartOfRandomNetworksIsWhole) {
             }
         });
     }
-}
-
-TEST(PartColours, TellManyPartsApart) {
-    std::set<std::array<std::uint8_t, 3>> colours;
-    constexpr int kParts = 50;
-    for (int part = 0; part < kParts; ++part) {
-        const auto colour = partColour(part);
-        colours.insert(colour);
-        EXPECT_EQ(*std::ranges::max_element(colour), 235);
-        EXPECT_EQ(*std::ranges::min_element(colour), 95);
-    }
-    EXPECT_EQ(colours.size(), static_cast<std::size_t>(kParts));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/atomic_file.h"
+#include "bspline_curve/atomic_file.h"
 
 #include "io/temporary_files.h"
 

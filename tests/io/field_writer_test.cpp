@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bspline_curve/files.h"
-#include "io/field_report.h"
-#include "io/json_values.h"
 #include "io/temporary_files.h"
 #include "support/meshes.h"
 
@@ -49,27 +47,6 @@ TEST_F(FieldWriter, RefusesOtherExtensions) {
         return 0;
     };
     expectContains(refusal(call, InputErrorCode::UnwritableFile), "none of .ply, .npy, .txt");
-}
-
-TEST_F(FieldWriter, ReportsKindAndRange) {
-    const Surface surface(kMesh);
-    std::vector<double> field(kMesh.vertices.size(), 1.0);
-    field[3] = -1.0;
-    field[4] = 44.0;
-    const FieldRunFigures figures{
-        .meshFile = "a.ply",
-        .kind = "ridge",
-        .naturalCost = "exp-minus",
-        .seconds = {},
-        .repair = {}
-    };
-    const auto report = nlohmann::json::parse(fieldReportText(surface, field, figures));
-    EXPECT_EQ(report["kind"], "ridge");
-    EXPECT_EQ(report["minimum"], -1.0);
-    EXPECT_EQ(report["maximum"], 44.0);
-    EXPECT_DOUBLE_EQ(report["mean"].get<double>(), 83.0 / 42.0);
-    EXPECT_EQ(report["mesh"]["vertices"], 42);
-    EXPECT_TRUE(report["repair"].is_null());
 }
 
 }  // namespace bspline_curve::io_tests

@@ -4,7 +4,7 @@
 #include "io/base64.h"
 #include "io/json_values.h"
 #include "io/shell_cells.h"
-#include "io/shell_report.h"
+#include "io/shell_measures.h"
 #include "io/temporary_files.h"
 #include "support/meshes.h"
 
@@ -218,7 +218,7 @@ TEST(ShellWriter, RefusesOtherExtensions) {
     expectContains(line, ".vtu");
 }
 
-TEST(ShellReport, ThicknessIsRelativeToTheLongestSideAndCountsEachPillarOnce) {
+TEST(ShellMeasures, ThicknessIsRelativeToTheLongestSideAndCountsEachPillarOnce) {
     const ShellThickness thickness =
         measureThickness(twoByOne(), {.centre = Vec3::Zero(), .scale = 4.0}, twoPrisms(0.1, 0.3));
     // In the frame's unit the longest side, 2, is 0.5.
@@ -227,7 +227,7 @@ TEST(ShellReport, ThicknessIsRelativeToTheLongestSideAndCountsEachPillarOnce) {
     EXPECT_DOUBLE_EQ(thickness.p5, 0.2);
 }
 
-TEST(ShellReport, ThePercentileIsInterpolated) {
+TEST(ShellMeasures, ThePercentileIsInterpolated) {
     const Shell shell = [] {
         const Shell plain = twoPrisms(0.1, 0.3);
         std::vector<Pillar> pillars = plain.pillars();
@@ -237,86 +237,6 @@ TEST(ShellReport, ThePercentileIsInterpolated) {
     const ShellThickness thickness = measureThickness(twoByOne(), {.scale = 2.0}, shell);
     EXPECT_NEAR(thickness.p5, 0.1 + 0.05 * 3 * 0.1, 1e-15);
     EXPECT_NEAR(thickness.min, 0.1, 1e-15);
-}
-
-TEST(ShellReport, WritesEveryFigureUnderItsName) {
-    const Built built(test_support::plate(4, 3));
-    ShellRunFigures figures;
-    figures.meshFile = "a.ply";
-    figures.faces = 24;
-    figures.seconds.cpu = 0.5;
-    figures.seconds.read = 0.25;
-    figures.peakMemoryBytes = 1000000;
-    figures.notes = {"a note"};
-    const auto report = nlohmann::json::parse(shellReportText(
-        {.surface = built.surface, .extended = built.extended, .build = built.build}, figures
-    ));
-    const std::size_t prisms = built.build.shell.prisms().size();
-    expectValues(
-        report,
-        {{"/shell", "full"},
-         {"/faces", 24},
-         {"/prisms", prisms},
-         {"/ghost_prisms", prisms - 24},
-         {"/blocked_faces", 0},
-         {"/moved_vertices", 0},
-         {"/mesh/boundary_edges", 14},
-         {"/mesh/components", 1},
-         {"/mesh/file", "a.ply"},
-         {"/seconds/cpu", 0.5},
-         {"/seconds/read", 0.25},
-         {"/peak_memory_bytes", 1000000},
-         {"/notes/0", "a note"},
-         {"/check", nullptr},
-         {"/repair", nullptr}}
-    );
-}
-
-TEST(ShellReport, SaysHowEachInvariantFared) {
-    const Built built(test_support::plate(4, 3));
-    ShellCheck check;
-    check.transversalSurface.holds = false;
-    check.transversalSurface.violations = 12;
-    check.transversalSurface.firstIds = {3, 4};
-    const auto report = nlohmann::json::parse(shellReportText(
-        {.surface = built.surface,
-         .extended = built.extended,
-         .build = built.build,
-         .check = &check},
-        {}
-    ));
-    EXPECT_EQ(report["check"].size(), check.invariants().size());
-    expectValues(
-        report["check"],
-        {{"/positive tetrahedra/holds", true},
-         {"/transversal surface/holds", false},
-         {"/transversal surface/violations", 12},
-         {"/transversal surface/first_ids", {3, 4}}}
-    );
-}
-
-TEST(ShellReport, ListsWhatARepairChanged) {
-    const Built built(test_support::plate(4, 3));
-    ShellRunFigures figures;
-    const RepairReport mended = repairMesh(test_support::bowTie()).report;
-    figures.repair = &mended;
-    const auto repaired = nlohmann::json::parse(shellReportText(
-        {.surface = built.surface, .extended = built.extended, .build = built.build}, figures
-    ))["repair"];
-    const auto nothing = nlohmann::json::array();
-    expectValues(
-        repaired,
-        {{"/changes", 1},
-         {"/duplicated_vertices/0/vertex", 0},
-         {"/duplicated_vertices/0/copies", nlohmann::json::array({5})},
-         {"/left_out_faces", nothing},
-         {"/merged_vertices", nothing},
-         {"/removed_degenerate_faces", nothing},
-         {"/split_faces", nothing},
-         {"/removed_duplicate_faces", nothing},
-         {"/reversed_faces", nothing},
-         {"/cut_edges", nothing}}
-    );
 }
 
 }  // namespace bspline_curve::io_tests

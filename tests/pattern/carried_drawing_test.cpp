@@ -2,10 +2,10 @@
 // Drawings on surfaces: on a plane they come out as drawn.
 #include "pattern/carried_drawing.h"
 
+#include "bspline_curve/drawing_builder.h"
 #include "bspline_curve/pattern.h"
 #include "design/curve_designer.h"
 #include "pattern/curve_chart.h"
-#include "pattern/drawing_builder.h"
 #include "pattern/pattern_layout.h"
 #include "pattern/point_chart.h"
 #include "pattern/relief_smoothing.h"

@@ -6,7 +6,6 @@
 #include "filters/fit_requests.h"
 #include "filters/requests.h"
 #include "filters/utf8_path.h"
-#include "io/length_unit.h"
 #include "web/core/calls.h"
 #include "web/core/files_in_memory.h"
 
@@ -109,11 +108,11 @@ Json fit(const Json& arguments, Reply& reply) {
 
 LengthUnit unitOf(const Json& arguments) {
     const auto word = arguments.value("unit", std::string("mm"));
-    const auto* const unit = std::ranges::find(kLengthUnits, word, &LengthUnitNames::id);
-    if (unit == kLengthUnits.end()) {
+    const std::optional<LengthUnit> unit = lengthUnitOf(word);
+    if (!unit) {
         throw InputError(InputErrorCode::BadOption, "there is no unit " + word);
     }
-    return unit->unit;
+    return *unit;
 }
 
 // {"curves", "name", "unit"}: the bytes of a file of these curves of one mesh.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "surface/error_messages.h"
+#include "text/error_messages.h"
 #include "web/core/calls.h"
 
 #include <exception>

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "web/core/files_in_memory.h"
 
-#include "bspline_curve/error.h"
-#include "io/atomic_file.h"
-#include "io/text_parsing.h"
+#include "text/text_parsing.h"
 
 #include <optional>
 #include <utility>
@@ -30,10 +28,6 @@ FileInMemory::FileInMemory(std::filesystem::path file, std::string bytes) {
 
 FileInMemory::~FileInMemory() {
     onlyFile().reset();
-}
-
-void refuseWriting(const std::filesystem::path& file, const std::string& reason) {
-    throw InputError(InputErrorCode::UnwritableFile, file.string() + ": " + reason);
 }
 
 std::optional<std::string> readWholeFileIfThere(const std::filesystem::path& file) {

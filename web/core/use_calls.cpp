@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is made of curves: imprints, cuts, parts, offsets.
 #include "filters/imprint_requests.h"
-#include "io/carried_extras.h"
 #include "web/core/calls.h"
 
 #include <utility>
