@@ -22,6 +22,8 @@ namespace {
 
 /// Walls are no lower than this, relative to the height.
 constexpr double kLeastHeightShare = 0.02;
+/// Ways are no longer than this many heights, as at the vertex of a ridge of 60 degrees.
+constexpr double kLongestWay = 2.0;
 
 /// Unit normals at the vertices of an imprint: those of the mesh without it, linear in each face,
 /// so that they change little across small faces.
@@ -53,10 +55,10 @@ public:
     RaisedParts run(const Progress& progress) {
         findBase();
         ways_.resize(imprinted_.mesh.vertices.size(), Vec3::Zero());
-        const std::vector<Vec3> normals = normalsOn(imprinted_);
+        const std::vector<Vec3> ways = directions();
         for (std::size_t f = 0; f < parts_.labels.size(); ++f) {
             if (isChosen(f)) {
-                raise(f, normals);
+                raise(f, ways);
             }
         }
         if (shares_.empty()) {
@@ -69,6 +71,33 @@ public:
 private:
     [[nodiscard]] bool isChosen(std::size_t face) const {
         return std::ranges::binary_search(chosen_, parts_.labels[face]);
+    }
+
+    /// For one unit of height where each vertex goes: along its normal, and so far that the chosen
+    /// faces at it come to lie at the height, in the mean of their areas. The volume is then that
+    /// of the prisms on them, up to the square of the height.
+    [[nodiscard]] std::vector<Vec3> directions() const {
+        std::vector<Vec3> directions = normalsOn(imprinted_);
+        std::vector<double> areas(directions.size(), 0.0);
+        std::vector<double> lifted(directions.size(), 0.0);
+        const TriangleMesh& mesh = imprinted_.mesh;
+        for (std::size_t f = 0; f < parts_.labels.size(); ++f) {
+            if (isChosen(f)) {
+                const auto& [a, b, c] = mesh.faces[f];
+                const Vec3& corner = mesh.vertices[a];
+                const Vec3 normal = (mesh.vertices[b] - corner).cross(mesh.vertices[c] - corner);
+                for (const int vertex : mesh.faces[f]) {
+                    areas[vertex] += normal.norm();
+                    lifted[vertex] += normal.dot(directions[vertex]);
+                }
+            }
+        }
+        for (std::size_t v = 0; v < directions.size(); ++v) {
+            if (areas[v] > 0.0) {
+                directions[v] *= areas[v] / std::max(lifted[v], areas[v] / kLongestWay);
+            }
+        }
+        return directions;
     }
 
     /// Vertices of faces that stay where they are, and those of these that walls stand on.
@@ -88,7 +117,7 @@ private:
         }
     }
 
-    void raise(std::size_t face, const std::vector<Vec3>& normals) {
+    void raise(std::size_t face, const std::vector<Vec3>& directions) {
         TriangleMesh& mesh = result_.whole.mesh;
         for (std::size_t k = 0; k < 3; ++k) {
             int& raised = raised_[cut_.mesh.faces[face][k]];
@@ -105,7 +134,7 @@ private:
                 }
                 ways_.resize(mesh.vertices.size(), Vec3::Zero());
                 ways_[raised] =
-                    (shares_.empty() ? height_ : height_ * shares_[vertex]) * normals[vertex];
+                    (shares_.empty() ? height_ : height_ * shares_[vertex]) * directions[vertex];
             }
             mesh.faces[face][k] = raised;
         }

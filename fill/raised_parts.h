@@ -16,16 +16,16 @@ struct RaisedParts {
     double least = 1.0;  ///< the least of that, relative
 };
 
-/// Moves the parts `chosen` (labels, ascending) by `height` along the normals at their vertices
-/// (outwards where it is positive: relief; inwards: engraving), and joins them to the rest by walls
-/// along curves. Normals are those at the vertices of the mesh without its imprint, weighted by
-/// angles, and linear in its faces. Watertight and manifold where the mesh is, also where parts
-/// meet in a vertex. Moved faces and walls cross nothing, exactly: where they would, the relief is
-/// lower, see SettledWays; `whole.crossing` has those that cross in spite of that, as where the
-/// mesh does. `height`: finite, in the user's unit; 0 gives the imprinted mesh. `shares`: of the
-/// height, for each vertex of the imprint, of which those on rims do not count: they stay, and
-/// there are no walls; empty: all of it. Throws InputError (BadOption), Cancelled. O(n log n) a
-/// round.
+/// Moves the parts `chosen` (labels, ascending) by `height` along the normals at their vertices,
+/// so that faces come to lie at this height (outwards where it is positive: relief; inwards:
+/// engraving), and joins them to the rest by walls along curves. Normals are those at the vertices
+/// of the mesh without its imprint, weighted by angles, and linear in its faces. Watertight and
+/// manifold where the mesh is, also where parts meet in a vertex. Moved faces and walls cross
+/// nothing, exactly: where they would, the relief is lower, see SettledWays; `whole.crossing` has
+/// those that cross in spite of that, as where the mesh does. `height`: finite, in the user's unit;
+/// 0 gives the imprinted mesh. `shares`: of the height, for each vertex of the imprint, of which
+/// those on rims do not count: they stay, and there are no walls; empty: all of it. Throws
+/// InputError (BadOption), Cancelled. O(n log n) a round.
 [[nodiscard]] RaisedParts raisedParts(
     const ImprintedMesh& imprinted,
     const MeshParts& parts,

@@ -46,9 +46,9 @@ Binding<Options> boundTolerance(const std::string& id, MeshLength Options::* mem
         .id = id,
         .read =
             [id, member](const ParameterValue& value, Options& options) {
-                const PickTolerances given = parsePickTolerances(std::get<std::string>(value), id);
+                const PickTolerances parsed = parsePickTolerances(std::get<std::string>(value), id);
                 options.*member =
-                    given.entries.size() == 1 ? given.entries.front().within : MeshLength();
+                    parsed.entries.size() == 1 ? parsed.entries.front().within : MeshLength();
             },
         .write = [member](const Options& options) -> ParameterValue {
             return describe(options.*member);

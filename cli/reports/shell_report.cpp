@@ -9,17 +9,10 @@ namespace bspline_curve {
 namespace {
 
 Json meshOfShell(const Workpiece& workpiece, const ShellFigures& shell, const std::string& file) {
-    const TriangleMesh& mesh = workpiece.mendedMesh();
-    return {
-        {"file", file},
-        {"vertices", mesh.vertices.size()},
-        {"faces", mesh.faces.size()},
-        {"components", workpiece.componentCount()},
-        {"boundary_edges", shell.boundaryEdges},
-        {"diagonal", workpiece.diagonal()},
-        {"longest_side", shell.longestSide},
-        {"average_edge_length", workpiece.meanEdgeLength()},
-    };
+    Json mesh = meshJson(workpiece, file);
+    mesh["boundary_edges"] = shell.boundaryEdges;
+    mesh["longest_side"] = shell.longestSide;
+    return mesh;
 }
 
 Json shellSeconds(

@@ -47,7 +47,7 @@ def _places(file: Any, text: str) -> Iterator[tuple[str, int]]:
     """The glyphs and where they begin, in the font's units; kerning is that of the table kern."""
     names = file.getBestCmap()
     tables = file["kern"].kernTables if "kern" in file else []
-    kerning = next((table.kernTable for table in tables if hasattr(table, "kernTable")), {})
+    kerning: dict[tuple[str, str], int] = next((table.kernTable for table in tables if hasattr(table, "kernTable")), {})
     x, last = 0, ""
     for character in text:
         name = names.get(ord(character))

@@ -53,7 +53,9 @@ SurfacePolyline circleOfLatitude(const Surface& sphere, double angle) {
 }
 
 struct Cap {
-    Surface sphere{icosphere(4)};
+    explicit Cap(int level = 4) : sphere(icosphere(level)) {}
+
+    Surface sphere;
     ImprintedMesh imprinted =
         imprint(sphere, std::vector{circleOfLatitude(sphere, std::numbers::pi / 4)}, {});
     MeshParts parts = partsOf(imprinted);
@@ -81,6 +83,21 @@ TEST(RaisedParts, OfASphereAreShellsOfTheirHeight) {
         EXPECT_EQ(raised.whole.faces.size(), raised.whole.mesh.faces.size());
         EXPECT_EQ(raised.whole.source.size(), raised.whole.mesh.vertices.size());
     }
+}
+
+// Faces of a coarse mesh come to lie at the height, whatever the angles between them: embossed and
+// engraved together have twice the area times the height.
+TEST(RaisedParts, OfCoarseMeshesHaveTheVolumeOfTheirPrisms) {
+    const Cap given(1);
+    const double area = given.parts.parts[static_cast<std::size_t>(given.cap.front())].area;
+    constexpr double kHeight = 1e-3;
+    const auto volume = [&](double height) {
+        const RaisedParts raised = raisedParts(given.imprinted, given.parts, given.cap, height);
+        EXPECT_EQ(raised.lower, 0);
+        return volumeOf(raised.whole.mesh);
+    };
+    const double moved = volume(kHeight) - volume(-kHeight);
+    EXPECT_NEAR(moved, 2.0 * kHeight * area, 1e-5 * moved);
 }
 
 TEST(RaisedParts, OfNoHeightAreTheImprint) {

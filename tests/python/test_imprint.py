@@ -143,7 +143,9 @@ def test_a_part_is_moved_along_its_normals(mesh, ring, part):
     kept = len(imprint.faces)
     assert boundary_edges(relief.faces) == boundary_edges(imprint.faces)
     moved = np.linalg.norm(relief.vertices[relief.faces[:kept]] - imprint.vertices[imprint.faces], axis=2)
-    np.testing.assert_allclose(moved, 0.01 * np.repeat(imprint.labels[:, None] == 1, 3, axis=1), atol=1e-12)
+    is_moved = np.repeat(imprint.labels[:, None] == 1, 3, axis=1)
+    np.testing.assert_allclose(moved[is_moved], 0.01, rtol=0.01)  # faces come to lie at the height, not their vertices
+    assert (moved[~is_moved] == 0).all()
     assert (relief.labels[kept:] == -1).all() and len(relief.faces) == kept + 2 * len(imprint.curves[0])
     np.testing.assert_array_equal(relief.origins[: len(imprint.vertices)], np.arange(len(imprint.vertices)))
 
@@ -190,7 +192,7 @@ def test_slots_follow_curves_with_a_profile(mesh, ring, profile, share):
     assert sunk == pytest.approx(share * 0.01 * 0.04 * ring.length, rel=0.06)
     known = slot.origins >= 0
     still = np.linalg.norm(slot.vertices[known] - strokes.vertices[slot.origins[known]], axis=1)
-    assert (still <= 0.01 + 1e-12).all() and (still == 0).sum() > len(mesh.vertices) / 2
+    assert (still <= 0.01 * 1.01).all() and (still == 0).sum() > len(mesh.vertices) / 2
     assert known.all() == (profile == "step")
     with pytest.raises(OptionError, match="profile is 'sharp'"):
         strokes.relief(-0.01, profile="sharp")

@@ -31,9 +31,9 @@ std::vector<Vec3> normalsAt(const TriangleMesh& mesh, const std::vector<SketchPi
     std::vector<Vec3> normals;
     for (const SketchPick& pick : picks) {
         const auto& [a, b, c] = mesh.faces[pick.point.face];
-        const Vec3& origin = mesh.vertices[a];
+        const Vec3& corner = mesh.vertices[a];
         normals.push_back(
-            (mesh.vertices[b] - origin).cross(mesh.vertices[c] - origin).normalized()
+            (mesh.vertices[b] - corner).cross(mesh.vertices[c] - corner).normalized()
         );
     }
     return normals;
