@@ -187,7 +187,9 @@ private:
             return std::move(*breaks);
         }
         const KnotDemand gain = energy_.refinementGain();
-        return gain.isNegligible
+        const bool isInVain =
+            isNear && stopRule_.isRefiningInVain(minimum.value.total, gain.total, weights_);
+        return gain.isNegligible || isInVain
                    ? energy_.space().breaks()
                    : halveLargest(energy_.space(), gain, shortestSpan(problem_.options));
     }

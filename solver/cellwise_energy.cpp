@@ -195,7 +195,7 @@ KnotDemand CellwiseEnergy::refinementGain() {
     const double savable = value_.scale - tensionFloor_;
     const auto withVerdict = [&](double largestMove) {
         gain.isNegligible = gain.total < negligible * savable ||
-                            (tensionFloor_ > 0.0 && largestMove < restingMove_);
+                            (problem_.options.tension > 0.0 && largestMove < restingMove_);
         return gain;
     };
     if (!directions_.samples.empty()) {

@@ -49,8 +49,12 @@ constexpr CellwiseConstants kCellwise;
 
 // E_int of the geodesics between the picks: the tension term of no curve on the surface is less.
 // Corners that are cut at lambda = 1 are a few per cent of it, and would not be seen beside it.
-// Parameters follow the length of the initial path.
+// Parameters follow the length of the initial path. 0 where the curve need not pass picks that the
+// path passes: it may be shorter then.
 double tensionFloor(const CurveProblem& problem, const InitialPath& initialPath) {
+    if (!problem.nearParameters.empty()) {
+        return 0.0;
+    }
     const double ratio = initialPath.length() / problem.chordLength;
     return problem.options.tension * ratio * ratio;
 }

@@ -27,6 +27,10 @@ struct StopConstants {
     /// Knots are also in vain after so many rounds in which a curve was near and Newton's method
     /// did not end: it is pressed against what it avoids, and each further knot presses anew.
     int mostUnfinishedRounds = 8;
+    /// Knots that lower the energy by less than this share of what they promised, so many rounds in
+    /// turn, are in vain: usual ones keep a third and more.
+    double leastKept = 0.05;
+    int mostBrokenPromises = 3;
 };
 
 constexpr StopConstants kStop;
@@ -64,6 +68,16 @@ double shortestSpan(const Energy& energy) {
 bool StopRule::isHalvingInVain(int knots) {
     knotsAtRest_ = knotsAtRest_ > 0 ? knotsAtRest_ : knots;
     return knots > kStop.mostHalving * knotsAtRest_;
+}
+
+bool StopRule::isRefiningInVain(double energy, double promised, const EnergyWeights& weights) {
+    const bool isComparable = promise_ && promise_->weights.alpha == weights.alpha &&
+                              promise_->weights.beta == weights.beta;
+    const bool isBroken =
+        isComparable && promise_->energy - energy < kStop.leastKept * promise_->gain;
+    brokenPromises_ = isBroken ? brokenPromises_ + 1 : 0;
+    promise_ = Promise{.energy = energy, .gain = promised, .weights = weights};
+    return brokenPromises_ >= kStop.mostBrokenPromises;
 }
 
 bool StopRule::isInVain(

@@ -112,6 +112,36 @@ TEST(NearCurves, TakeTolerancesInEdges) {
     EXPECT_EQ(inEdges.polyline.points, asLength.polyline.points);
 }
 
+// On a tube with a slit. With full tension the curve lies along edges, where halving
+// spans promises what no knot brings: they must come to an end.
+TEST(NearCurves, WithFullTensionHaveNotKnotsWithoutNumber) {
+    constexpr int kRows = 30;
+    TriangleMesh tube;
+    for (int i = 0; i < kRows * kRows; ++i) {
+        const double angle = 5.5 * (i / kRows) / (kRows - 1);
+        tube.vertices.emplace_back(
+            std::cos(angle), std::sin(angle), 3.0 * (i % kRows) / (kRows - 1)
+        );
+        if (i / kRows > 0 && i % kRows > 0) {
+            const int corner = i - kRows - 1;
+            tube.faces.push_back({corner, i - 1, i});
+            tube.faces.push_back({corner, i, corner + 1});
+        }
+    }
+    const std::vector<Vec3> picks{
+        {-0.927077376601291, 0.36316891471908874, 2.6281616401551497},
+        {-0.9870367479035247, 0.14223243303948918, 2.6092314853290537},
+        {0.16849473, -0.98221734, 0.7376622}
+    };
+    const Curve curve = curveNear(
+        CurveDesigner(tube),
+        picks,
+        {.tension = 1.0, .pickTolerance = {.value = 2.0, .isInEdges = true}}
+    );
+    EXPECT_EQ(curve.report.status, SolveStatus::Converged);
+    EXPECT_LT(curve.report.knotsLast, 500);
+}
+
 TEST(NearCurves, PassThePicksWithoutATolerance) {
     const CurveDesigner designer(jitteredPlate(40, 40, 0.2, 3));
     const std::vector<Vec3> picks = shakyWave(0.012);
