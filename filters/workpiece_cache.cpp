@@ -107,10 +107,10 @@ WorkpieceCache::Found WorkpieceCache::findOrMake(
 WorkpieceCache::Found WorkpieceCache::ready(
     const LayerInput& layer, const PreparingOptions& options, const Progress& progress
 ) {
-    constexpr double kSurfaceShare = 0.2;
+    constexpr double kValidatedShare = 0.2;
     return madeFrom(layer, [&] {
-        Found found = findOrMake(layer.mesh, options, partOf(progress, 0.0, kSurfaceShare));
-        prepareWithKeptShell(*found.workpiece, partOf(progress, kSurfaceShare, 1.0));
+        Found found = findOrMake(layer.mesh, options, partOf(progress, 0.0, kValidatedShare));
+        prepareWithKeptShell(*found.workpiece, partOf(progress, kValidatedShare, 1.0));
         return found;
     });
 }
