@@ -176,6 +176,21 @@ describe("the page", { skip: withoutBrowser }, () => {
     await seen.end();
   });
 
+  test("says what is wrong where a number is missing", async () => {
+    const seen = await drawn();
+    for (const id of ["distance", "tolerance", "weight", "deviation", "height"]) {
+      await seen.page.$eval(`#${id}`, (input) => {
+        input.value = "";
+        input.dispatchEvent(new Event("input"));
+        input.dispatchEvent(new Event("change"));
+      });
+    }
+    await seen.press("#offset");
+    assert.match(await seen.status(), /distance must be a number above 0/);
+    assert.equal((await seen.drawing()).curves.length, 1);
+    await seen.end();
+  });
+
   test("imprints, segments, cuts, fills and offsets, each undoable", async (t) => {
     const at = folder(t);
     const seen = await drawn();

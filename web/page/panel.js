@@ -45,7 +45,7 @@ export class Panel {
         height: element("height").valueAsNumber || 0,
       }));
     element("offset").addEventListener("click", () =>
-      act.use("offset", { distance: element("distance").valueAsNumber, side: element("side").value }));
+      act.use("offset", { distance: element("distance").valueAsNumber || 0, side: element("side").value }));
     element("save-curves").addEventListener("click", () => act.saveCurves(element("curve-format").value));
     element("save-mesh").addEventListener("click", () => act.saveMesh(element("mesh-format").value));
     element("save-picture").addEventListener("click", () => act.savePicture());
