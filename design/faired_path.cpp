@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "design/faired_path.h"
 
+#include "design/fairing_energy.h"
 #include "design/near_picks.h"
 #include "design/node_spread.h"
-#include "design/path_turn.h"
 #include "design/surface_walk.h"
 #include "projection/curve_trace.h"
 #include "spline/band_cholesky.h"
@@ -78,11 +78,11 @@ public:
         : extended_(extended),
           finder_(extended, patches),
           options_(options),
-          field_(field),
           clearance_(clearance),
           picks_(path.picks),
           lengthBefore_(path.path.length()),
-          chord_(polygonLength(path.picks, options.closed)) {
+          chord_(polygonLength(path.picks, options.closed)),
+          term_(extended, options, field, chord_) {
         const std::vector<InitialPath::Point>& points = path.path.points;
         for (const InitialPath::Point& point : points) {
             Node node;
@@ -94,7 +94,7 @@ public:
         if (options.closed) {
             now_.pop_back();
         }
-        const std::size_t lastSegment = segmentCount() - 1;
+        const std::size_t lastSegment = row().segmentCount() - 1;
         std::size_t node = 0;
         for (std::size_t pick = 0; pick < picks_.size(); ++pick) {
             while (points[node].parameter < picks_[pick].parameter) {
@@ -131,7 +131,7 @@ public:
         }
         for (const double share : kFairing.barrierShares[level]) {
             barrier_ = share * energy_.own;
-            energy_ = energyOf(now_, near_);
+            energy_ = term_.valueOf(now_, near_, barrier_);
             relax(at);
         }
     }
@@ -142,7 +142,7 @@ public:
         faired.picks.resize(picks_.size());
         double length = 0.0;
         auto stop = stops_.begin();
-        for (std::size_t k = 0; k <= segmentCount(); ++k) {
+        for (std::size_t k = 0; k <= row().segmentCount(); ++k) {
             const Node& node = now_[k % size()];
             if (isBeyond(node) || isCusp(k % size())) {
                 return std::nullopt;
@@ -215,20 +215,6 @@ private:
         }
     }
 
-    struct Energy {
-        double bending = 0.0;  // the integral of kappa_g^2
-        double length = 0.0;
-        double fieldCost = 0.0;  // mean of c along the path
-        double own = 0.0;        // without what picks draw
-        double total = 0.0;
-    };
-
-    // Gradient, and of the Hessian's rows the diagonal and the two entries after it.
-    struct Derivatives {
-        Eigen::VectorXd gradient;
-        std::vector<std::array<double, 3>> rows;
-    };
-
     [[nodiscard]] BoundaryGuard guard() const { return {extended_, finder_}; }
 
     // Of a node. Beside a pick at the boundary it is none, since an arc passes along it there.
@@ -256,31 +242,22 @@ private:
 
     [[nodiscard]] std::size_t size() const { return now_.size(); }
 
-    [[nodiscard]] std::size_t segmentCount() const { return size() - (options_.closed ? 0 : 1); }
+    [[nodiscard]] NodeRow row() const { return {size(), options_.closed}; }
 
     [[nodiscard]] bool isFixed(std::size_t i) const { return isFixed_[i] != 0; }
 
-    [[nodiscard]] std::size_t before(std::size_t i) const { return i > 0 ? i - 1 : size() - 1; }
-
-    [[nodiscard]] std::size_t after(std::size_t i) const { return i + 1 < size() ? i + 1 : 0; }
-
-    [[nodiscard]] bool hasTurn(std::size_t i) const {
-        return options_.closed || (i > 0 && i + 1 < size());
-    }
-
     [[nodiscard]] bool isCusp(std::size_t i) const {
-        if (hasTangent(i)) {
-            return std::ranges::any_of(halfTurnsAt(i, now_), [](const auto& half) {
+        if (term_.hasTangent(i)) {
+            return std::ranges::any_of(term_.halfTurnsAt(i, now_), [](const auto& half) {
                 return std::abs(half.second.value) > 0.5 * std::numbers::pi;
             });
         }
-        const Vec3 in = hasTurn(i) ? segment(now_, before(i)) : Vec3(Vec3::Zero());
-        const Vec3 out = hasTurn(i) ? segment(now_, i) : Vec3(Vec3::Zero());
+        if (!row().hasTurn(i)) {
+            return false;
+        }
+        const Vec3 in = row().segment(now_, row().before(i));
+        const Vec3 out = row().segment(now_, i);
         return in.dot(out) < kFairing.cuspCosine * in.norm() * out.norm();
-    }
-
-    [[nodiscard]] Vec3 segment(const std::vector<Node>& nodes, std::size_t i) const {
-        return nodes[after(i)].position - nodes[i].position;
     }
 
     [[nodiscard]] Vec3 normalAt(const FootPoint& foot, const Vec3& otherwise) const {
@@ -327,8 +304,8 @@ private:
             const auto above = std::ranges::upper_bound(places, place);
             const auto segment =
                 static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, above - places.begin() - 1));
-            const bool isPastEnd = segment >= segmentCount();
-            pick.segment = isPastEnd ? segmentCount() - 1 : segment;
+            const bool isPastEnd = segment >= row().segmentCount();
+            pick.segment = isPastEnd ? row().segmentCount() - 1 : segment;
             pick.share = isPastEnd ? 1.0 : 0.0;
         }
         near_.follow(now_, options_.closed);
@@ -343,15 +320,16 @@ private:
         const std::vector<Node> before = std::exchange(now_, std::move(placement.nodes));
         stops_ = std::move(placement.stops);
         isFixed_.assign(size(), 0);
-        tangents_.assign(size(), Vec3::Zero());
+        std::vector<Vec3> tangents(size(), Vec3::Zero());
         for (const auto& [node, pick] : stops_) {
             if (pick >= 0) {
                 const SurfacePoint& point = picks_[pick].point;
                 isFixed_[node] = 1;
-                tangents_[node] = picks_[pick].tangent;
+                tangents[node] = picks_[pick].tangent;
                 now_[node].foot = {point.face, point.barycentric[1], point.barycentric[2], 0.0};
             }
         }
+        term_.setTangents(std::move(tangents));
         std::vector<FibreProjector::Move> moves;
         for (std::size_t i = 0; i < size(); ++i) {
             moves.push_back({placement.targets[i], &now_[i].foot, &now_[i].frame});
@@ -371,241 +349,11 @@ private:
         }
         placeNearPicks(placement.places);
         trial_ = now_;
-        energy_ = energyOf(now_, near_);
+        energy_ = term_.valueOf(now_, near_, barrier_);
         const auto isFree = [](const Vec3& tangent) { return tangent.isZero(0.0); };
-        if (isFirst && !std::ranges::all_of(tangents_, isFree)) {
+        if (isFirst && !std::ranges::all_of(term_.tangents(), isFree)) {
             lengthBefore_ = std::max(lengthBefore_, energy_.length);  // it has been bent to them
         }
-    }
-
-    // c and its derivatives by I at each node.
-    [[nodiscard]] std::vector<FieldCostValue> fieldCostsAt(const std::vector<Node>& nodes) const {
-        std::vector<FieldCostValue> costs;
-        for (const Node& node : nodes) {
-            const SurfacePoint point{node.foot.face, node.foot.barycentric()};
-            costs.push_back(
-                bspline_curve::fieldCost(
-                    field_.cost, valueAt(extended_.faces, field_.values, point)
-                )
-            );
-        }
-        return costs;
-    }
-
-    // Mean of c along the path, by the trapezoidal rule.
-    [[nodiscard]] double fieldCostOf(
-        const std::vector<Node>& nodes, const std::vector<double>& lengths, double length
-    ) const {
-        const std::vector<FieldCostValue> costs = fieldCostsAt(nodes);
-        double sum = 0.0;
-        for (std::size_t i = 0; i < lengths.size(); ++i) {
-            sum += 0.5 * lengths[i] * (costs[i].value + costs[after(i)].value);
-        }
-        return sum / length;
-    }
-
-    [[nodiscard]] Energy energyOf(const std::vector<Node>& nodes, const NearPicks& near) const {
-        Energy energy;
-        std::vector<double> lengths(segmentCount());
-        for (std::size_t i = 0; i < segmentCount(); ++i) {
-            lengths[i] = segment(nodes, i).norm();
-            energy.length += lengths[i];
-        }
-        for (std::size_t i = 0; i < size(); ++i) {
-            if (hasTangent(i)) {
-                for (const auto& [other, half] : halfTurnsAt(i, nodes)) {
-                    energy.bending += half.value * half.value / half.length;
-                }
-            } else if (hasTurn(i)) {
-                const Vec3 in = segment(nodes, before(i));
-                const Vec3 out = segment(nodes, i);
-                const double turn = turnOf(nodes[i].normal.dot(in.cross(out)), in.dot(out)).value;
-                energy.bending += turn * turn / (0.5 * (lengths[before(i)] + lengths[i]));
-            }
-        }
-        const double stretch = energy.length / chord_;
-        energy.own = (1.0 - options_.tension) * energy.length * energy.bending +
-                     options_.tension * stretch * stretch;
-        if (!field_.empty()) {
-            energy.fieldCost = fieldCostOf(nodes, lengths, energy.length);
-            energy.own += field_.weight * energy.fieldCost;
-        }
-        energy.total = energy.own + near.energy(nodes, barrier_);
-        return energy;
-    }
-
-    [[nodiscard]] bool hasTangent(std::size_t i) const { return !tangents_[i].isZero(0.0); }
-
-    // To and from the tangent of a pick, as far as there is a path; and the other node of each.
-    // Derivatives are those of the last ways.
-    [[nodiscard]] std::vector<std::pair<std::size_t, HalfTurn>> halfTurnsAt(
-        std::size_t i, const std::vector<Node>& nodes
-    ) const {
-        std::vector<std::pair<std::size_t, HalfTurn>> halves;
-        const auto add = [&](std::size_t other, bool isBefore) {
-            const Vec3 way = nodes[other].position - nodes[i].position;
-            const Vec3 across = other < ways_.size() ? ways_[other].across : Vec3(Vec3::Zero());
-            halves.emplace_back(
-                other, halfTurn(way, isBefore, tangents_[i], nodes[i].normal, across)
-            );
-        };
-        if (options_.closed || i > 0) {
-            add(before(i), true);
-        }
-        if (options_.closed || i + 1 < size()) {
-            add(after(i), false);
-        }
-        return halves;
-    }
-
-    void addHalfTurn(std::size_t other, const HalfTurn& half, double weight) {
-        const double root = std::sqrt(half.length);
-        const double slope =
-            half.valueBy / root - 0.5 * half.value * half.lengthBy / (root * half.length);
-        gradientAt(other) += weight * slope * half.value / root;
-        derivatives_.rows[other][0] += weight * slope * slope;
-    }
-
-    [[nodiscard]] NodeWay wayOf(std::size_t i) const {
-        const Node& node = now_[i];
-        const bool isFirst = !hasTurn(i) && i == 0;
-        const bool isLast = !hasTurn(i) && i > 0;
-        const Vec3 along =
-            (isFirst ? Vec3(Vec3::Zero()) : Vec3(segment(now_, before(i)).normalized())) +
-            (isLast ? Vec3(Vec3::Zero()) : Vec3(segment(now_, i).normalized()));
-        const Vec3 across = node.normal.cross(along).normalized();
-        const Triangle& face = extended_.faces[node.foot.face];
-        const Vec3& corner = extended_.vertices[face[0]];
-        const double u = node.frame.u.dot(across);
-        const double v = node.frame.v.dot(across);
-        const Vec3 normal = extended_.vertexNormal(face[0]);
-        const double length = extended_.normalAt(node.foot.face, node.foot.barycentric()).norm();
-        NodeWay way;
-        way.across =
-            u * (extended_.vertices[face[1]] - corner) + v * (extended_.vertices[face[2]] - corner);
-        if (length > 0.0) {
-            const Vec3 turn = (u * (extended_.vertexNormal(face[1]) - normal) +
-                               v * (extended_.vertexNormal(face[2]) - normal)) /
-                              length;
-            way.turn = turn - turn.dot(node.normal) * node.normal;
-        }
-        if (!field_.empty()) {
-            const auto& values = field_.values;
-            way.fieldBy =
-                u * (values[face[1]] - values[face[0]]) + v * (values[face[2]] - values[face[0]]);
-        }
-        return way;
-    }
-
-    // Of Gauss and Newton: bending as a sum of the squares (turn / sqrt(length))^2, whose own
-    // second derivatives are left out, times the length; and the bending times the second
-    // derivatives of the length.
-    void differentiate() {
-        ways_.assign(size(), {});
-        for (std::size_t i = 0; i < size(); ++i) {
-            if (!isFixed(i)) {
-                ways_[i] = wayOf(i);
-            }
-        }
-        derivatives_.gradient = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(size()));
-        derivatives_.rows.assign(size(), {0.0, 0.0, 0.0});
-        const double bendingWeight = 2.0 * (1.0 - options_.tension) * energy_.length;
-        const double lengthWeight = (1.0 - options_.tension) * energy_.bending +
-                                    2.0 * options_.tension * energy_.length / (chord_ * chord_);
-        for (std::size_t i = 0; i < size(); ++i) {
-            if (hasTangent(i)) {
-                for (const auto& [other, half] : halfTurnsAt(i, now_)) {
-                    addHalfTurn(other, half, bendingWeight);
-                }
-            } else if (hasTurn(i)) {
-                addTurn(i, bendingWeight);
-            }
-        }
-        const std::vector<FieldCostValue> costs =
-            field_.empty() ? std::vector<FieldCostValue>(size()) : fieldCostsAt(now_);
-        for (std::size_t i = 0; i < segmentCount(); ++i) {
-            // The derivative of the field's term by the length of a segment.
-            const double mean = 0.5 * (costs[i].value + costs[after(i)].value);
-            const double byField = field_.weight * (mean - energy_.fieldCost) / energy_.length;
-            addSegment(i, lengthWeight + byField);
-        }
-        for (std::size_t i = 0; !field_.empty() && i < size(); ++i) {
-            addField(i, costs[i]);
-        }
-        for (const NearPicks::Pick& pick : near_.picks()) {
-            addPull(near_.pullOf(pick, now_, barrier_));
-        }
-    }
-
-    void addField(std::size_t i, const FieldCostValue& here) {
-        double length = 0.0;
-        if (options_.closed || i > 0) {
-            length += 0.5 * segment(now_, before(i)).norm();
-        }
-        if (options_.closed || i + 1 < size()) {
-            length += 0.5 * segment(now_, i).norm();
-        }
-        const double weight = field_.weight * length / energy_.length;
-        const double by = ways_[i].fieldBy;
-        gradientAt(i) += weight * here.slope * by;
-        derivatives_.rows[i][0] += weight * std::max(0.0, here.curvature) * by * by;
-    }
-
-    void addPull(const NearPicks::Pull& pull) {
-        const std::size_t i = pull.segment;
-        const std::size_t j = after(i);
-        const Vec3 a = (1.0 - pull.share) * ways_[i].across;
-        const Vec3 b = pull.share * ways_[j].across;
-        const double byA = 2.0 * pull.way.dot(a);  // of the squared distance
-        const double byB = 2.0 * pull.way.dot(b);
-        gradientAt(i) += pull.slope * byA;
-        gradientAt(j) += pull.slope * byB;
-        derivatives_.rows[i][0] += pull.curvature * byA * byA + 2.0 * pull.slope * a.squaredNorm();
-        derivatives_.rows[j][0] += pull.curvature * byB * byB + 2.0 * pull.slope * b.squaredNorm();
-        derivatives_.rows[i][1] += pull.curvature * byA * byB + 2.0 * pull.slope * a.dot(b);
-    }
-
-    [[nodiscard]] double& gradientAt(std::size_t i) {
-        return derivatives_.gradient[static_cast<Eigen::Index>(i)];
-    }
-
-    void addTurn(std::size_t i, double weight) {
-        const PathTurn turn = pathTurn(
-            segment(now_, before(i)),
-            segment(now_, i),
-            now_[i].normal,
-            {&ways_[before(i)], &ways_[i], &ways_[after(i)]}
-        );
-        const std::array<std::size_t, 3> nodes = {before(i), i, after(i)};
-        const double root = std::sqrt(turn.length);
-        std::array<double, 3> slope{};
-        for (std::size_t k = 0; k < 3; ++k) {
-            slope[k] =
-                turn.valueBy[k] / root - 0.5 * turn.value * turn.lengthBy[k] / (root * turn.length);
-            gradientAt(nodes[k]) += weight * slope[k] * turn.value / root;
-        }
-        for (std::size_t k = 0; k < 3; ++k) {
-            for (std::size_t j = k; j < 3; ++j) {
-                derivatives_.rows[nodes[k]][j - k] += weight * slope[k] * slope[j];
-            }
-        }
-    }
-
-    void addSegment(std::size_t i, double weight) {
-        const std::size_t next = after(i);
-        const Vec3 way = segment(now_, i);
-        const double length = way.norm();
-        const Vec3 tangent = way / length;
-        const Vec3& a = ways_[i].across;
-        const Vec3& b = ways_[next].across;
-        gradientAt(i) -= weight * tangent.dot(a);
-        gradientAt(next) += weight * tangent.dot(b);
-        const Vec3 aAside = a - tangent.dot(a) * tangent;
-        const Vec3 bAside = b - tangent.dot(b) * tangent;
-        const double bent = std::max(0.0, weight) / length;
-        derivatives_.rows[i][0] += bent * aAside.squaredNorm();
-        derivatives_.rows[next][0] += bent * bAside.squaredNorm();
-        derivatives_.rows[i][1] -= bent * aAside.dot(bAside);
     }
 
     // Newton's step with the diagonal damped; nothing where the Hessian is not positive.
@@ -618,7 +366,7 @@ private:
                 factor.add(static_cast<int>(high), static_cast<int>(low), &value, 1);
             }
         };
-        Eigen::VectorXd right = -derivatives_.gradient;
+        Eigen::VectorXd right = -term_.gradient();
         for (std::size_t i = 0; i < size(); ++i) {
             if (isHeld(i)) {
                 const double one = 1.0;
@@ -626,10 +374,10 @@ private:
                 right[static_cast<Eigen::Index>(i)] = 0.0;
                 continue;
             }
-            const auto& [diagonal, first, second] = derivatives_.rows[i];
+            const auto& [diagonal, first, second] = term_.rows()[i];
             add(i, i, (1.0 + damping) * diagonal);
-            add(i, after(i), first);
-            add(i, after(after(i)), second);
+            add(i, row().after(i), first);
+            add(i, row().after(row().after(i)), second);
         }
         return factor.factorise() ? std::optional(factor.solve(std::move(right))) : std::nullopt;
     }
@@ -666,10 +414,12 @@ private:
         isHeld_ = isFixed_;
         for (std::size_t i = 0; i < size(); ++i) {
             if (!isFixed(i)) {
-                const Vec3& across = ways_[i].across;
+                const Vec3& across = term_.ways()[i].across;
                 const double inwards = across.dot(guard().inwardsAt(now_[i], clearanceOf(now_[i])));
                 const bool isStraight = std::abs(inwards) > kFairing.straight * across.norm();
-                isHeld_[i] = static_cast<char>(isStraight && gradientAt(i) * inwards > 0.0);
+                isHeld_[i] = static_cast<char>(
+                    isStraight && term_.gradient()[static_cast<Eigen::Index>(i)] * inwards > 0.0
+                );
             }
         }
     }
@@ -678,9 +428,9 @@ private:
 
     // One step; returns the share of the energy that it gains.
     double descend(double& damping) {
-        differentiate();
+        term_.differentiate(now_, isFixed_, energy_, near_, barrier_);
         holdAtBoundary();
-        const double mean = energy_.length / static_cast<double>(segmentCount());
+        const double mean = energy_.length / static_cast<double>(row().segmentCount());
         for (int trial = 0; trial < kFairing.mostTrials; ++trial) {
             if (std::optional<Eigen::VectorXd> step = stepWith(damping)) {
                 const double longest = step->lpNorm<Eigen::Infinity>();
@@ -690,7 +440,7 @@ private:
                 }
                 NearPicks near = near_;
                 near.follow(trial_, options_.closed);
-                const Energy after = energyOf(trial_, near);
+                const PathEnergy after = term_.valueOf(trial_, near, barrier_);
                 if (isTrialNear_ && after.total < energy_.total &&
                     after.length <= kFairing.longest * lengthBefore_) {
                     const double gain = (energy_.total - after.total) / energy_.total;
@@ -712,7 +462,7 @@ private:
         std::vector<FibreProjector::Move> moves;
         for (std::size_t i = 0; i < size(); ++i) {
             if (!isHeld(i)) {
-                const Vec3 way = step[static_cast<Eigen::Index>(i)] * ways_[i].across;
+                const Vec3 way = step[static_cast<Eigen::Index>(i)] * term_.ways()[i].across;
                 FibreProjector::predict(way, now_[i].frame, trial_[i].foot);
                 moves.push_back({now_[i].position + way, &trial_[i].foot, &trial_[i].frame});
             }
@@ -727,10 +477,10 @@ private:
                 isTrialNear_ = isTrialNear_ && (isStopped || missed <= kFairing.farthest * mean);
             }
         }
-        for (std::size_t i = 0; i < segmentCount(); ++i) {
-            const double longest =
-                kFairing.longestGrowth * segment(now_, i).norm() + kFairing.growthShare * mean;
-            isTrialNear_ = isTrialNear_ && segment(trial_, i).norm() <= longest;
+        for (std::size_t i = 0; i < row().segmentCount(); ++i) {
+            const double longest = kFairing.longestGrowth * row().segment(now_, i).norm() +
+                                   kFairing.growthShare * mean;
+            isTrialNear_ = isTrialNear_ && row().segment(trial_, i).norm() <= longest;
         }
         return isTrialNear_;
     }
@@ -738,7 +488,6 @@ private:
     const ExtendedSurface& extended_;
     FibreProjector finder_;
     const SolverOptions& options_;
-    const PathField& field_;
     double clearance_;                   // from the boundary
     std::vector<Vec3> picksAtBoundary_;  // no farther from it than that
     const std::vector<PickConstraint>& picks_;
@@ -753,10 +502,8 @@ private:
     double barrier_ = 0.0;                  // strength, see NearPicks
     std::vector<char> isFixed_;             // by node: it is a pick
     std::vector<char> isHeld_;              // by node: likewise, or at the boundary in this step
-    std::vector<Vec3> tangents_;            // by node: of its pick; zero: none
-    std::vector<NodeWay> ways_;             // by node
-    Derivatives derivatives_;
-    Energy energy_;
+    FairingEnergy term_;
+    PathEnergy energy_;
 };
 
 }  // namespace

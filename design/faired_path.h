@@ -4,24 +4,14 @@
 #include "bspline_curve/options.h"
 #include "design/initial_path.h"
 #include "design/near_picks.h"
+#include "design/path_field.h"
 #include "shell/extended_surface.h"
-#include "solver/field_cost.h"
 #include "surface/patch_levels.h"
 
 #include <optional>
 #include <span>
 
 namespace bspline_curve {
-
-/// A field that draws a path: the mean of c(I) along it, times the weight, is added to what it
-/// minimises. Empty: none.
-struct PathField {
-    std::span<const double> values;  ///< I at each vertex of the extended surface
-    FieldCost cost = FieldCost::Identity;
-    double weight = 0.0;
-
-    [[nodiscard]] bool empty() const { return values.empty(); }
-};
 
 /// A path through the same picks that bends least along the surface: a polyline of points evenly
 /// spaced from pick to pick, at which
