@@ -7,7 +7,7 @@
 #include "text/json_text.h"
 #include "text/text_parsing.h"
 
-namespace bspline_curve {
+namespace bspline_curve::cli {
 
 namespace {
 
@@ -167,4 +167,4 @@ void checkReportExtension(const std::filesystem::path& file) {
     }
 }
 
-}  // namespace bspline_curve
+}  // namespace bspline_curve::cli

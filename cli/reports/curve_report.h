@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace bspline_curve {
+namespace bspline_curve::cli {
 
 /// What a program measured around one curve; all times in seconds.
 struct RunFigures {
@@ -38,4 +38,4 @@ struct RunFigures {
 /// Throws InputError (UnwritableFile) where the extension is not .json.
 void checkReportExtension(const std::filesystem::path& file);
 
-}  // namespace bspline_curve
+}  // namespace bspline_curve::cli

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace bspline_curve {
+namespace bspline_curve::cli {
 
 std::string fieldReportText(
     const Workpiece& workpiece, std::span<const double> field, const FieldRunFigures& figures
@@ -33,4 +33,4 @@ std::string fieldReportText(
     return jsonText(document);
 }
 
-}  // namespace bspline_curve
+}  // namespace bspline_curve::cli

@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-namespace bspline_curve {
+namespace bspline_curve::cli {
 
 /// What a program did around one field; wall clock.
 struct FieldRunFigures {
@@ -24,4 +24,4 @@ struct FieldRunFigures {
     const Workpiece& workpiece, std::span<const double> field, const FieldRunFigures& figures
 );
 
-}  // namespace bspline_curve
+}  // namespace bspline_curve::cli

@@ -7,7 +7,7 @@
 
 #include <cstddef>
 
-namespace bspline_curve {
+namespace bspline_curve::cli {
 
 std::string fitReportBytes(std::span<const FitFigures> curves, std::span<const std::string> notes) {
     Json list = Json::array();
@@ -40,4 +40,4 @@ std::string fitReportBytes(std::span<const FitFigures> curves, std::span<const s
     return jsonText({{"curves", list}, {"notes", said}});
 }
 
-}  // namespace bspline_curve
+}  // namespace bspline_curve::cli

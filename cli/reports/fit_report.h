@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace bspline_curve {
+namespace bspline_curve::cli {
 
 struct FitFigures {
     std::string line;  ///< its name
@@ -22,4 +22,4 @@ struct FitFigures {
     std::span<const FitFigures> curves, std::span<const std::string> notes
 );
 
-}  // namespace bspline_curve
+}  // namespace bspline_curve::cli

@@ -6,7 +6,7 @@
 #include "text/json_text.h"
 #include "text/number_text.h"
 
-namespace bspline_curve {
+namespace bspline_curve::cli {
 
 namespace {
 
@@ -131,4 +131,4 @@ std::string partsJson(const MeshParts& parts) {
     return jsonText(Json{{"parts", listOf(parts)}});
 }
 
-}  // namespace bspline_curve
+}  // namespace bspline_curve::cli

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace bspline_curve {
+namespace bspline_curve::cli {
 
 /// How an imprint came about, for its report.
 struct ImprintFigures {
@@ -58,4 +58,4 @@ struct CutFigures {
 /// The same as JSON: {"parts": [{"faces", "area", "perimeter", "centroid", "euler"}, …]}.
 [[nodiscard]] std::string partsJson(const MeshParts& parts);
 
-}  // namespace bspline_curve
+}  // namespace bspline_curve::cli

@@ -20,7 +20,7 @@
 #include <system_error>
 #include <utility>
 
-namespace bspline_curve {
+namespace bspline_curve::cli {
 
 namespace {
 
@@ -212,4 +212,4 @@ void JobResultsFile::sortByJob() const {
     AtomicFile(file_, text).commit();
 }
 
-}  // namespace bspline_curve
+}  // namespace bspline_curve::cli

@@ -11,7 +11,7 @@
 #include <vector>
 
 // The results file of a batch: CSV with a header and a line for each job that ended.
-namespace bspline_curve {
+namespace bspline_curve::cli {
 
 /// What the report of one curve says.
 struct CurveFigures {
@@ -89,4 +89,4 @@ private:
     int descriptor_ = -1;
 };
 
-}  // namespace bspline_curve
+}  // namespace bspline_curve::cli

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/reports/mesh_json.h"
 
-namespace bspline_curve {
+namespace bspline_curve::cli {
 
 nlohmann::ordered_json repairJson(const RepairReport* repair) {
     if (repair == nullptr) {
@@ -38,4 +38,4 @@ nlohmann::ordered_json meshJson(const Workpiece& workpiece, const std::string& f
     };
 }
 
-}  // namespace bspline_curve
+}  // namespace bspline_curve::cli

@@ -7,7 +7,7 @@
 
 #include <string>
 
-namespace bspline_curve {
+namespace bspline_curve::cli {
 
 /// The "repair" of a report; null where there is none.
 [[nodiscard]] nlohmann::ordered_json repairJson(const RepairReport* repair);
@@ -15,4 +15,4 @@ namespace bspline_curve {
 /// The "mesh" of a report: of a mesh as it is used, from this file.
 [[nodiscard]] nlohmann::ordered_json meshJson(const Workpiece& workpiece, const std::string& file);
 
-}  // namespace bspline_curve
+}  // namespace bspline_curve::cli

@@ -6,7 +6,7 @@
 
 #include <cstddef>
 
-namespace bspline_curve {
+namespace bspline_curve::cli {
 
 std::string offsetReportBytes(
     const std::vector<FittedLine>& pieces,
@@ -37,4 +37,4 @@ std::string offsetReportBytes(
     return jsonText(report);
 }
 
-}  // namespace bspline_curve
+}  // namespace bspline_curve::cli

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace bspline_curve {
+namespace bspline_curve::cli {
 
 /// JSON: distance, tolerance, seconds (draw: the curve; offset: the lines); of each piece closed,
 /// length, deviation (largest, in distances), fitted, degree and control_points (how many).
@@ -17,4 +17,4 @@ namespace bspline_curve {
     double offsetSeconds
 );
 
-}  // namespace bspline_curve
+}  // namespace bspline_curve::cli

@@ -6,7 +6,7 @@
 
 #include <utility>
 
-namespace bspline_curve {
+namespace bspline_curve::cli {
 
 namespace {
 
@@ -57,4 +57,4 @@ std::string patternReportBytes(const Pattern& pattern, const PatternFigures& fig
     return jsonText(document);
 }
 
-}  // namespace bspline_curve
+}  // namespace bspline_curve::cli

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace bspline_curve {
+namespace bspline_curve::cli {
 
 struct PatternFigures {
     double readSeconds = 0.0;     ///< files
@@ -19,4 +19,4 @@ struct PatternFigures {
 /// of each curve.
 [[nodiscard]] std::string patternReportBytes(const Pattern& pattern, const PatternFigures& figures);
 
-}  // namespace bspline_curve
+}  // namespace bspline_curve::cli

@@ -4,7 +4,7 @@
 #include "cli/reports/mesh_json.h"
 #include "text/json_text.h"
 
-namespace bspline_curve {
+namespace bspline_curve::cli {
 
 namespace {
 
@@ -73,4 +73,4 @@ std::string shellReportText(
     return jsonText(document);
 }
 
-}  // namespace bspline_curve
+}  // namespace bspline_curve::cli

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace bspline_curve {
+namespace bspline_curve::cli {
 
 /// What a run of the shell stage took, for the report.
 struct ShellRunFigures {
@@ -33,4 +33,4 @@ struct ShellRunFigures {
     const Workpiece& workpiece, const WholeShell& shell, const ShellRunFigures& figures
 );
 
-}  // namespace bspline_curve
+}  // namespace bspline_curve::cli

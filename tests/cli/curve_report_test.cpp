@@ -5,9 +5,11 @@
 #include "io/small_curve.h"
 #include "io/temporary_files.h"
 
-namespace bspline_curve::io_tests {
+namespace bspline_curve::cli {
 
 namespace {
+
+using namespace io_tests;
 
 Workpiece square() {
     return Workpiece({{{0, 0, 0}, {3, 0, 0}, {3, 4, 0}, {0, 4, 0}}, {{0, 1, 2}, {0, 2, 3}}});
@@ -101,4 +103,4 @@ TEST(ReportWriter, SurvivesFileNamesThatAreNotUtf8) {
     EXPECT_NO_THROW(reportOf(smallCurve(false), figures));
 }
 
-}  // namespace bspline_curve::io_tests
+}  // namespace bspline_curve::cli

@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace bspline_curve::cli_tests {
+namespace bspline_curve::cli {
 
 TEST(FieldReport, TellsKindAndRange) {
     const Workpiece workpiece(test_support::icosphere(1));
@@ -27,4 +27,4 @@ TEST(FieldReport, TellsKindAndRange) {
     EXPECT_TRUE(report["repair"].is_null());
 }
 
-}  // namespace bspline_curve::cli_tests
+}  // namespace bspline_curve::cli

@@ -3,9 +3,11 @@
 
 #include "io/temporary_files.h"
 
-namespace bspline_curve::io_tests {
+namespace bspline_curve::cli {
 
 namespace {
+
+using namespace io_tests;
 
 class JobResults : public FileTest {};
 
@@ -109,4 +111,4 @@ TEST_F(JobResults, FiguresAreThoseOfTheReport) {
     EXPECT_EQ(figures.vertices, 12);
 }
 
-}  // namespace bspline_curve::io_tests
+}  // namespace bspline_curve::cli

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace bspline_curve::cli_tests {
+namespace bspline_curve::cli {
 
 namespace {
 
@@ -98,4 +98,4 @@ TEST(ShellReport, ListsWhatARepairChanged) {
     );
 }
 
-}  // namespace bspline_curve::cli_tests
+}  // namespace bspline_curve::cli

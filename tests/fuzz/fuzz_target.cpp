@@ -22,8 +22,8 @@ std::span<const FuzzTarget> fuzzTargets() {
         {.name = "face_ids", .run = readFaceIdsBytes},
 #ifdef BSPLINE_CURVE_FUZZ_JOBS
         {.name = "jobs", .run = readJobsBytes},
-#endif
         {.name = "results", .run = readResultsBytes},
+#endif
         {.name = "curve", .run = drawCurve, .isReader = false},
     });
     return kTargets;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bspline_curve/error.h"
 #include "bspline_curve/files.h"
-#include "cli/reports/job_results.h"
 #include "fuzz/fuzz_file.h"
 #include "fuzz/fuzz_target.h"
 
@@ -43,22 +42,6 @@ void readFaceIdsBytes(std::string_view bytes) {
     const FuzzFile file = arrayFile(bytes);
     try {
         require(readFaceIds(file.path()).size() <= bytes.size(), "an id takes a byte at least");
-    } catch (const InputError&) {
-        return;
-    }
-}
-
-void readResultsBytes(std::string_view bytes) {
-    const FuzzFile file("results", bytes);
-    try {
-        for (const JobRecord& record : readJobRecords(file.path())) {
-            require(!record.line().empty(), "a line of results can be written again");
-        }
-    } catch (const InputError&) {
-        // a report may be in it all the same
-    }
-    try {
-        static_cast<void>(readCurveFigures(file.path()));
     } catch (const InputError&) {
         return;
     }
