@@ -28,7 +28,7 @@ struct StopConstants {
     /// did not end: it is pressed against what it avoids, and each further knot presses anew.
     int mostUnfinishedRounds = 8;
     /// Knots that lower the energy by less than this share of what they promised, so many rounds in
-    /// turn, are in vain: usual ones keep a third and more.
+    /// turn, are in vain.
     double leastKept = 0.05;
     int mostBrokenPromises = 3;
 };
