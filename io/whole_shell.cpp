@@ -69,7 +69,7 @@ std::unique_ptr<WholeShell::Parts> partsOf(
             "no face got a prism: the surface crosses itself or folds onto itself everywhere"
         );
     }
-    std::unique_ptr<WholeShell::Parts> parts(new WholeShell::Parts{
+    auto parts = std::make_unique<WholeShell::Parts>(WholeShell::Parts{
         .surface = surface,
         .options = options,
         .extended = std::move(extended),

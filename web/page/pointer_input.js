@@ -36,6 +36,11 @@ export class PointerInput {
     canvas.addEventListener("pointermove", (event) => this.#move(event));
     canvas.addEventListener("pointerup", (event) => this.#release(event));
     canvas.addEventListener("pointercancel", (event) => this.#cancel(event));
+    canvas.addEventListener("lostpointercapture", (event) => {
+      if (this.#fingers.has(event.pointerId)) {
+        this.#cancel(event); // no pointerup came before: a dialog, another window
+      }
+    });
     canvas.addEventListener("pointerleave", () => this.#leave());
     canvas.addEventListener("contextmenu", (event) => event.preventDefault());
     canvas.addEventListener("wheel", (event) => this.#wheel(event), { passive: false });
@@ -112,6 +117,10 @@ export class PointerInput {
     const before = this.#fingers.get(event.pointerId);
     if (!before) {
       this.#sendMove(event);
+      return;
+    }
+    if (event.buttons === 0) {
+      this.#release(event); // of which the page was not told
       return;
     }
     const [dx, dy] = [event.offsetX - before[0], event.offsetY - before[1]];
