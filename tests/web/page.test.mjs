@@ -176,6 +176,36 @@ describe("the page", { skip: withoutBrowser }, () => {
     await seen.end();
   });
 
+  test("a click beside the mesh that is answered late leaves the next one its own", async () => {
+    const seen = await openPage(browser);
+    await seen.sample("pebble");
+    await seen.page.evaluate(() => {
+      const { engine } = globalThis.curves;
+      const request = engine.request.bind(engine);
+      engine.request = async (...asked) => {
+        const answer = await request(...asked);
+        if (asked[1]?.event?.event === "press") {
+          await new Promise((done) => setTimeout(done, 300));
+        }
+        return answer;
+      };
+    });
+    const { left, top, width, height } = await seen.page.$eval("#canvas", (canvas) => canvas.getBoundingClientRect().toJSON());
+    await seen.page.mouse.click(left + 3, top + height - 3);
+    await seen.page.mouse.move(left + 0.5 * width, top + 0.5 * height);
+    await seen.page.mouse.down();
+    await pause(600);
+    await seen.page.mouse.up();
+    await pause(600);
+    await seen.page.mouse.move(left + 0.6 * width, top + 0.6 * height);
+    await seen.settled();
+    const [curve] = (await seen.drawing()).curves;
+    assert.equal(curve.picks.length, 3);
+    const [x, y] = await seen.placeOf(0, 0);
+    assert.ok(Math.hypot(x - left - 0.5 * width, y - top - 0.5 * height) < 2, `${x} ${y}`);
+    await seen.end();
+  });
+
   test("says what is wrong where a number is missing", async () => {
     const seen = await drawn();
     for (const id of ["distance", "tolerance", "weight", "deviation", "height"]) {

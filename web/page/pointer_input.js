@@ -12,6 +12,7 @@ export class PointerInput {
   #engine;
   #fingers = new Map(); // where each pointer that is down was last
   #use = null; // of the press: "asked", "draw", "turn", "move"
+  #presses = 0; // so far
   #work = null; // of the press that is the drawing's: "drag", "stroke", "paint"
   #isSending = false;
   #moves = []; // that wait: of a drag the newest, of strokes and paint all
@@ -85,8 +86,9 @@ export class PointerInput {
       this.#moves = [];
       this.#before = this.#placeOf(event);
       const start = performance.now();
+      const press = ++this.#presses;
       const isTaken = await (this.paints ? this.#paint([this.#rayOf(event)]) : this.#send("press", event));
-      if (this.#use === "asked") {
+      if (this.#use === "asked" && press === this.#presses) { // and not of a later one
         this.#use = isTaken ? "draw" : performance.now() - start < LONG_WAIT ? "turn" : null;
       }
     }
