@@ -206,6 +206,21 @@ describe("the page", { skip: withoutBrowser }, () => {
     await seen.end();
   });
 
+  test("opens another mesh where several steps were on one", async () => {
+    const seen = await drawn();
+    for (const step of ["#offset", "#offset", "#undo", "#undo", "#redo", "#offset"]) {
+      await seen.press(step);
+      assert.doesNotMatch(await seen.status(), /freed/);
+    }
+    for (const kind of ["ring", "pebble"]) {
+      await seen.page.evaluate((sample) => document.querySelector(`[data-sample=${sample}]`).click(), kind);
+      await seen.settled();
+      assert.doesNotMatch(await seen.status(), /freed/);
+    }
+    assert.equal((await seen.drawing()).curves.length, 0);
+    await seen.end();
+  });
+
   test("says what is wrong where a number is missing", async () => {
     const seen = await drawn();
     for (const id of ["distance", "tolerance", "weight", "deviation", "height"]) {

@@ -79,12 +79,17 @@ export class Documents {
     this.#free(this.#all.splice(this.#position + 1));
   }
 
+  // Several may have lines and a mesh in common, with each other and with those that stay.
   #free(documents) {
-    for (const document of documents) {
-      document.session.free();
-      document.lines.forEach((line) => this.#isShared(line) || line.free());
-      if (!this.#all.some(({ mesh }) => mesh === document.mesh)) {
-        document.mesh.free();
+    documents.forEach(({ session }) => session.free());
+    for (const line of new Set(documents.flatMap(({ lines }) => lines))) {
+      if (!this.#isShared(line)) {
+        line.free();
+      }
+    }
+    for (const each of new Set(documents.map(({ mesh }) => mesh))) {
+      if (!this.#all.some(({ mesh }) => mesh === each)) {
+        each.free();
       }
     }
   }
