@@ -53,21 +53,7 @@ describe("the page's main thread", { skip: withoutBrowser }, () => {
   });
   after(() => browser.close());
 
-  // What else the machine does makes tasks long; the page itself is as quick in one of three runs.
   test("is never busy for long", async (t) => {
-    let longest = "";
-    for (let run = 0; run < 3; ++run) {
-      const figures = await measure(t);
-      longest = Object.entries(figures).map(([what, time]) => `${what} ${time.toFixed(1)}`).join(", ");
-      t.diagnostic(`longest tasks, ms: ${longest}`);
-      if (Math.max(...Object.values(figures)) <= LONGEST) {
-        return;
-      }
-    }
-    assert.fail(longest);
-  });
-
-  async function measure(t) {
     const at = folder(t);
     write(at, "bumps.ply", bumps(225));
     const seen = await openPage(browser);
@@ -121,7 +107,9 @@ describe("the page's main thread", { skip: withoutBrowser }, () => {
       await seen.press("#segment");
     });
     assert.match(await seen.status(), /2 parts/);
+    const words = Object.entries(figures).map(([what, longest]) => `${what} ${longest.toFixed(1)}`).join(", ");
+    t.diagnostic(`longest tasks, ms: ${words}`);
+    assert.ok(Math.max(...Object.values(figures)) <= LONGEST, words);
     await seen.end();
-    return figures;
-  }
+  });
 });
