@@ -99,13 +99,8 @@ std::vector<ShellInvariant> WholeShell::check() const {
     const ShellCheck checked =
         checkShell(parts_->surface, *parts_->extended, parts_->shell(), parts_->blockedFaces());
     std::vector<ShellInvariant> invariants;
-    for (const InvariantCheck* const each : checked.invariants()) {
-        invariants.push_back(
-            {.name = std::string(each->name),
-             .holds = each->holds,
-             .violations = each->violations,
-             .firstIds = each->firstIds}
-        );
+    for (const ShellInvariant* const each : checked.invariants()) {
+        invariants.push_back(*each);
     }
     return invariants;
 }

@@ -37,7 +37,7 @@ Json checkOf(const std::optional<std::vector<ShellInvariant>>& check) {
     }
     Json result;
     for (const ShellInvariant& invariant : *check) {
-        result[invariant.name] = {
+        result[std::string(invariant.name)] = {
             {"holds", invariant.holds},
             {"violations", invariant.violations},
             {"first_ids", invariant.firstIds},

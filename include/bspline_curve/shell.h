@@ -3,7 +3,9 @@
 
 #include "bspline_curve/mesh.h"
 
+#include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace bspline_curve {
@@ -44,6 +46,14 @@ struct ShellSummary {
     ShellKind kind = ShellKind::Local;
     bool isFromStore = false;
     std::vector<std::string> notes;  ///< about the store; empty where all is well
+};
+
+/// An invariant of a shell, and how it fared.
+struct ShellInvariant {
+    std::string_view name;
+    bool holds = true;
+    std::int64_t violations = 0;
+    std::vector<int> firstIds;  ///< of what violates it; docs/SHELLS.md tells what they number
 };
 
 /// Top and bottom of a shell as meshes, both oriented as the surface is; in the user's unit. Where

@@ -35,14 +35,6 @@ struct ShellFigures {
     double extendedSeconds = 0.0, shellSeconds = 0.0;  ///< what making it took, by wall clock
 };
 
-/// An invariant of a shell, and how it fared.
-struct ShellInvariant {
-    std::string name;
-    bool holds = true;
-    std::int64_t violations = 0;
-    std::vector<int> firstIds;  ///< of what violates it; docs/SHELLS.md tells what they number
-};
-
 /// Tetrahedra all around a mesh, which curves can be sought in: see docs/SHELLS.md.
 class WholeShell {
 public:

@@ -81,7 +81,7 @@ std::vector<TetFace> CheckedShell::boundary() const {
 // ---- The whole check ----
 
 bool ShellCheck::passed() const {
-    return std::ranges::all_of(invariants(), [](const InvariantCheck* invariant) {
+    return std::ranges::all_of(invariants(), [](const ShellInvariant* invariant) {
         return invariant->holds;
     });
 }

@@ -94,7 +94,7 @@ struct CheckedShell {
 /// Where a check writes what it finds.
 class Violations {
 public:
-    Violations(InvariantCheck& check, const ShellCheckOptions& options)
+    Violations(ShellInvariant& check, const ShellCheckOptions& options)
         : check_(check), maxIds_(options.maxReportedIds) {}
 
     void add(std::initializer_list<int> ids) {
@@ -117,7 +117,7 @@ public:
     }
 
 private:
-    InvariantCheck& check_;
+    ShellInvariant& check_;
     int maxIds_;
 };
 

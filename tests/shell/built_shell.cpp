@@ -194,7 +194,7 @@ bool areSame(const Shell& a, const Shell& b) {
 
 Names brokenInvariants(const ShellCheck& check) {
     Names names;
-    for (const InvariantCheck* invariant : check.invariants()) {
+    for (const ShellInvariant* invariant : check.invariants()) {
         if (!invariant->holds) {
             names.emplace_back(invariant->name);
         }
@@ -204,7 +204,7 @@ Names brokenInvariants(const ShellCheck& check) {
 
 void expectValid(const ShellCheck& check) {
     EXPECT_TRUE(check.passed());
-    for (const InvariantCheck* invariant : check.invariants()) {
+    for (const ShellInvariant* invariant : check.invariants()) {
         EXPECT_TRUE(invariant->holds)
             << invariant->name << ": " << invariant->violations << " violations, first at "
             << testing::PrintToString(invariant->firstIds);
