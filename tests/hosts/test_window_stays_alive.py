@@ -12,7 +12,9 @@ from drawing_tool import MADE, Tool
 from float_ply import write_ply
 from meshlab_window import MeshLabWindow
 
-MOST_SECONDS = 0.2
+# In frames of the host without the tool, which its thread computes as well: where the driver draws in software, as here, a
+# frame of this mesh takes a tenth of a second on a common machine. So a slow machine is no failure.
+MOST_FRAMES = 1.5
 PATIENCE = 5.0  # with machines that are busy with other things: seconds by the clock per second of computing
 CUT = "^1 curve cut: "
 GIVEN_UP = '" was stopped, since the drawing tool ended'
@@ -35,7 +37,7 @@ class Loop:
         subprocess.run(["cc", "-O2", "-shared", "-fPIC", source, "-o", library, "-ldl"], check=True)
         self._times = folder / "times"
         self.environment = {"LD_PRELOAD": str(library), "LOOP_TIMES": str(self._times)}
-        self._since, self._frame = 0.0, 0.0
+        self._since, self.frame = 0.0, 0.0
 
     def _stays(self):
         rows = [[float(word) for word in line.split()] for line in self._times.read_text().splitlines()]
@@ -46,13 +48,13 @@ class Loop:
 
     def learn_frame(self):
         """Takes what the host's own frames cost from what happened since the beginning."""
-        self._frame = median(computed for _, _, computed, frames in self._stays() if frames == 1)
+        self.frame = median(computed for _, _, computed, frames in self._stays() if frames == 1)
 
     def longest(self):
         """Since the beginning: by the clock where no frame was shown, and of computing without frames."""
         stays = self._stays()
         seconds = max((stay for _, stay, _, frames in stays if frames == 0), default=0.0)
-        return seconds, max((computed - frames * self._frame for _, _, computed, frames in stays), default=0.0)
+        return seconds, max((computed - frames * self.frame for _, _, computed, frames in stays), default=0.0)
 
 
 @pytest.fixture(scope="module")
@@ -119,9 +121,10 @@ def test_start_layers_and_cut_do_not_block(drawn):
     loop.begin()
     cut(tool)
     longest["cut"] = loop.longest()
-    print(longest)
+    print(longest, loop.frame)
+    most = MOST_FRAMES * loop.frame
     for what, (seconds, computed) in longest.items():
-        assert computed < MOST_SECONDS and seconds < MOST_SECONDS * PATIENCE, (what, longest)
+        assert computed < most and seconds < most * PATIENCE, (what, longest, loop.frame)
 
 
 def test_a_cut_that_runs_is_given_up(drawn):
