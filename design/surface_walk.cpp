@@ -46,6 +46,11 @@ bool areJoined(
     });
 }
 
+// Whether a neighbour is beyond the boundary: a face of the extension, or none in narrow notches.
+bool BoundaryGuard::isBeyond(int face) const {
+    return face < 0 || face >= extended_.surfaceFaceCount;
+}
+
 // The side on the boundary that is nearest, of its face.
 BoundaryGuard::Side BoundaryGuard::sideOf(const SurfaceNode& node) const {
     const Triangle& face = extended_.faces[node.foot.face];
@@ -53,7 +58,7 @@ BoundaryGuard::Side BoundaryGuard::sideOf(const SurfaceNode& node) const {
     const auto corner = [&](int k) -> const Vec3& { return extended_.vertices[face[k % 3]]; };
     Side nearest;
     for (int k = 0; k < 3; ++k) {
-        if (extended_.faceNeighbours[node.foot.face][k] < extended_.surfaceFaceCount) {
+        if (!isBeyond(extended_.faceNeighbours[node.foot.face][k])) {
             continue;
         }
         const Vec3 side = corner(k + 2) - corner(k + 1);
@@ -76,7 +81,7 @@ bool BoundaryGuard::isOnBoundary(int face, int corner) const {
     int k = corner;
     do {
         at = extended_.faceNeighbours[at][(k + 1) % 3];
-        if (at >= extended_.surfaceFaceCount) {
+        if (isBeyond(at)) {
             return true;
         }
         k = cornerOf(extended_.faces[at], vertex);

@@ -51,6 +51,7 @@ private:
         double share = 0.0;   ///< of the node, of that corner
     };
 
+    [[nodiscard]] bool isBeyond(int face) const;
     [[nodiscard]] Side sideOf(const SurfaceNode& node) const;
     [[nodiscard]] bool isOnBoundary(int face, int corner) const;
 
