@@ -409,6 +409,33 @@ SidedDistance DistanceBeams::inOneFace(const SurfacePoint& point) const {
     return best;
 }
 
+double DistanceBeams::leastNear(const SurfacePoint& point, double radius) const {
+    const Triangle& face = surface_->faces()[point.face];
+    double least = std::numeric_limits<double>::infinity();
+    if (!beams_[point.face].empty()) {
+        std::array<Vec2, 3> positions;
+        double reach = radius;
+        for (int frame = 0; frame < 3; ++frame) {
+            const FaceLayout layout(surface_->vertices(), face, frame);
+            positions[frame] = layout.position(point.barycentric);
+            reach = std::max(reach, radius + kSlack * layout.size());
+        }
+        for (const DistanceBeam& beam : beams_[point.face]) {
+            const Vec2& q = positions[beam.frame];
+            const double distance = beam.distance(q);
+            if (distance - reach < least && distance >= -reach && beam.contains(q, reach)) {
+                least = distance - reach;
+            }
+        }
+    }
+    const Vec3 position = surface_->position(point);
+    for (const int vertex : face) {
+        const double way = (position - surface_->vertices()[vertex]).norm() - radius;
+        least = std::min(least, vertices_[vertex].distance + way);
+    }
+    return least;
+}
+
 SidedDistance DistanceBeams::at(const SurfacePoint& point) const {
     SidedDistance best;
     for (const int face : facesHolding(*surface_, point)) {

@@ -85,6 +85,10 @@ public:
     /// Distance of a point; infinite or too large only where it is not within the range.
     [[nodiscard]] SidedDistance at(const SurfacePoint& point) const;
 
+    /// No point of the same face that is within `radius` of this one has a smaller distance. The
+    /// point may be beside its face, in the same plane.
+    [[nodiscard]] double leastNear(const SurfacePoint& point, double radius) const;
+
     /// Of each vertex of the surface, exact up to the end of the range, whatever its beginning is.
     [[nodiscard]] const std::vector<SidedDistance>& atVertices() const { return vertices_; }
 

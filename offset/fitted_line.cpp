@@ -34,6 +34,8 @@ constexpr int kMostFirstSpans = 64;
 constexpr double kShortestSpan = 2e-3;
 /// More than any line needs: next to creases spans are halved one by one.
 constexpr int kMostFits = 60;
+/// No spline has more spans per vertex of its line, or per first span.
+constexpr std::size_t kMostSpans = 2;
 /// Vertices of the polyline are at most so many distances apart: arcs of that radius are then
 /// within 1e-4 of their chords.
 constexpr double kVertexStep = 0.025;
@@ -78,7 +80,8 @@ public:
     /// Nothing where no spline stays within the tolerance.
     std::optional<FittedLine> fit(double tolerance, const Progress& progress) {
         std::vector<double> breaks = firstBreaks();
-        const std::size_t most = std::max<std::size_t>(line_.points.size(), 2 * breaks.size());
+        const std::size_t most =
+            kMostSpans * std::max<std::size_t>(line_.points.size(), breaks.size());
         for (int attempt = 0; attempt < kMostFits && breaks.size() <= most; ++attempt) {
             report(progress, 1.0 - 1.0 / (1.0 + attempt), "fitting a spline");
             const SplineSpace space(kDegree, line_.closed, breaks);

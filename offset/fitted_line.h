@@ -24,7 +24,7 @@ public:
     /// By least squares with few knots; spans are halved where vertices of the projection or
     /// middles of its segments are off the distance by more than `tolerance` times it, or where
     /// the spline leaves the surface. The ends of an open line stay. The line itself where no
-    /// spline with as many knots as the line has vertices will do. O(n log n) for n vertices.
+    /// spline with twice as many knots as the line has vertices will do. O(n log n) for n vertices.
     /// Throws Cancelled.
     [[nodiscard]] FittedLine fitted(
         const SurfacePolyline& line, double tolerance, const Progress& progress = {}

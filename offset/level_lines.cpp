@@ -21,6 +21,11 @@ constexpr int kHalvings = 45;
 /// More rows of small triangles in one face would take minutes.
 constexpr int kMostRows = 512;
 
+/// Larger blocks of cells are looked at only where a line may pass.
+constexpr int kSmallBlock = 1;
+/// Of the radius of a block: its corners are not left out by rounding.
+constexpr double kRounding = 1.0 + 1e-6;
+
 /// Progress is reported after so many faces, ...
 constexpr std::size_t kFacesPerReport = 1024;
 /// ... all of which are this much of it.
@@ -37,13 +42,13 @@ public:
         : surface_(surface), beams_(beams), distance_(distance), rows_(rows) {}
 
     void addFace(int face) {
-        // Barycentric steps (i, j, rows - i - j) of the corners.
-        for (int i = 0; i < rows_; ++i) {
-            for (int j = 0; i + j < rows_; ++j) {
-                addTriangle(face, {{{i, j}, {i + 1, j}, {i, j + 1}}});
-                if (i + j + 1 < rows_) {
-                    addTriangle(face, {{{i + 1, j}, {i + 1, j + 1}, {i, j + 1}}});
-                }
+        cells_.clear();
+        collectCells(face, {0, 0}, {rows_, rows_});
+        std::ranges::sort(cells_);
+        for (const auto& [i, j] : cells_) {
+            addTriangle(face, {{{i, j}, {i + 1, j}, {i, j + 1}}});
+            if (i + j + 1 < rows_) {
+                addTriangle(face, {{{i + 1, j}, {i + 1, j + 1}, {i, j + 1}}});
             }
         }
     }
@@ -78,7 +83,49 @@ public:
     }
 
 private:
+    // Of a corner: barycentric steps (i, j), and rows - i - j of the third. A cell begins at one,
+    // and consists of the two triangles beyond it, or of one at the end of a row.
     using Step = std::array<int, 2>;
+
+    // The cells from one step to another through which a line may pass.
+    void collectCells(int face, const Step& from, const Step& to) {
+        const Step size{to[0] - from[0], to[1] - from[1]};
+        if (from[0] + from[1] >= rows_ || size[0] == 0 || size[1] == 0) {
+            return;
+        }
+        if (std::max(size[0], size[1]) <= kSmallBlock) {
+            for (int i = from[0]; i < to[0]; ++i) {
+                for (int j = from[1]; j < to[1] && i + j < rows_; ++j) {
+                    cells_.push_back({i, j});
+                }
+            }
+            return;
+        }
+        if (isOnOneSide(face, from, to)) {
+            return;
+        }
+        const Step middle{from[0] + size[0] / 2, from[1] + size[1] / 2};
+        collectCells(face, from, middle);
+        collectCells(face, {from[0], middle[1]}, {middle[0], to[1]});
+        collectCells(face, {middle[0], from[1]}, {to[0], middle[1]});
+        collectCells(face, middle, to);
+    }
+
+    // Whether all points of the cells from one step to another are nearer, or all farther.
+    [[nodiscard]] bool isOnOneSide(int face, const Step& from, const Step& to) const {
+        const Triangle& corners = surface_.faces()[face];
+        const Vec3& origin = surface_.vertices()[corners[2]];
+        const double perStep = 0.5 / rows_;
+        const Vec3 a = perStep * (to[0] - from[0]) * (surface_.vertices()[corners[0]] - origin);
+        const Vec3 b = perStep * (to[1] - from[1]) * (surface_.vertices()[corners[1]] - origin);
+        const double radius = kRounding * std::max((a + b).norm(), (a - b).norm());
+        const double i = perStep * (from[0] + to[0]);
+        const double j = perStep * (from[1] + to[1]);
+        const SurfacePoint centre{.face = face, .barycentric = Vec3(i, j, 1.0 - i - j)};
+        // Distances change by no more than the way.
+        return (i + j < 1.0 && beams_.at(centre).distance + radius < distance_) ||
+               beams_.leastNear(centre, radius) > distance_;
+    }
 
     [[nodiscard]] SurfacePoint pointOf(int face, const Step& step) const {
         const int k = rows_ - step[0] - step[1];
@@ -173,6 +220,7 @@ private:
     const DistanceBeams& beams_;
     double distance_;
     int rows_;
+    std::vector<Step> cells_;  // of one face
     std::map<Node, bool> inside_;
     std::map<std::pair<Node, Node>, int> crossings_;
     std::vector<SurfacePoint> points_;
@@ -187,11 +235,88 @@ namespace {
 /// Segments whose middle is nearer to the level than this are not divided (relative to the
 /// distance).
 constexpr double kLevelTolerance = 2e-4;
+/// Grids have more points than lines need. Those in a face are left out that lie nearer to the
+/// segment between others than this (likewise).
+constexpr double kThinTolerance = 2e-5;
 /// Halvings of one segment at most; corners where two arcs meet need most of them.
 constexpr int kMostDivisions = 12;
 
 /// A corner of the level is at most this deep, in lengths of the segment that cuts it off.
 constexpr double kCornerDepth = 4.0;
+
+/// Leaves out points of lines.
+class LineThinner {
+public:
+    LineThinner(const Surface& surface, double distance)
+        : surface_(surface), tolerance_(kThinTolerance * distance) {}
+
+    [[nodiscard]] LevelLine thinned(const LevelLine& line) {
+        const std::size_t count = line.points.size();
+        std::vector<char> isKept(count, 1);
+        std::size_t first = 0;
+        while (first + 1 < count) {
+            std::size_t last = first + 1;
+            while (last + 1 < count && isBetween(line, last)) {
+                ++last;
+            }
+            thin(line.points, first, last, isKept);
+            first = last;
+        }
+        LevelLine result{.closed = line.closed, .points = {}, .sides = {}};
+        for (std::size_t i = 0; i < count; ++i) {
+            if (isKept[i] != 0) {
+                result.points.push_back(line.points[i]);
+                result.sides.push_back(line.sides[i]);
+            }
+        }
+        return result;
+    }
+
+private:
+    /// Whether a point is inside a face, and beside the same side as those around it.
+    [[nodiscard]] static bool isBetween(const LevelLine& line, std::size_t i) {
+        return line.points[i].barycentric.minCoeff() > kOnEdgeBarycentric &&
+               line.sides[i] == line.sides[i - 1] && line.sides[i] == line.sides[i + 1];
+    }
+
+    /// By Douglas and Peucker's method: of those from `first` to `last`, in one face.
+    void thin(
+        const std::vector<SurfacePoint>& points,
+        std::size_t first,
+        std::size_t last,
+        std::vector<char>& isKept
+    ) const {
+        std::vector<std::pair<std::size_t, std::size_t>> open = {{first, last}};
+        while (!open.empty()) {
+            const auto [from, to] = open.back();
+            open.pop_back();
+            const Vec3 start = surface_.position(points[from]);
+            const Vec3 way = surface_.position(points[to]) - start;
+            const double length = way.squaredNorm();
+            std::size_t farthest = from;
+            double most = tolerance_ * tolerance_;
+            for (std::size_t i = from + 1; i < to; ++i) {
+                const Vec3 there = surface_.position(points[i]) - start;
+                const double share =
+                    length > 0.0 ? std::clamp(there.dot(way) / length, 0.0, 1.0) : 0.0;
+                const double gap = (there - share * way).squaredNorm();
+                isKept[i] = 0;
+                if (gap > most) {
+                    most = gap;
+                    farthest = i;
+                }
+            }
+            if (farthest != from) {
+                isKept[farthest] = 1;
+                open.emplace_back(from, farthest);
+                open.emplace_back(farthest, to);
+            }
+        }
+    }
+
+    const Surface& surface_;
+    double tolerance_;
+};
 
 /// Adds points between those of a line where its segments leave the level: along arcs, and at the
 /// corners where ways from two sides meet.
@@ -369,11 +494,12 @@ std::vector<LevelLine> levelLines(
         lines.addFace(faces[i]);
     }
     std::vector<LevelLine> result = lines.chained();
+    LineThinner thinner(surface, distance);
     LineRefiner refiner(surface, beams, distance);
     for (std::size_t i = 0; i < result.size(); ++i) {
         const double share = static_cast<double>(i) / static_cast<double>(result.size());
         show(std::lerp(kFacesShare, 1.0, share));
-        result[i] = refiner.refined(result[i]);
+        result[i] = refiner.refined(thinner.thinned(result[i]));
     }
     return result;
 }

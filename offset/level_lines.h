@@ -20,7 +20,8 @@ struct LevelLine {
 /// All lines at `distance` from a curve. They never cross themselves or each other, since they
 /// bound the faces' part that is nearer; where two parts of an offset run into each other, they
 /// end. Faces are divided into rows at most `distance` times `stepRelative` high; what is narrower
-/// can be missed. Vertices are at the distance to 1e-12 of it, the middles of segments to 2e-4, but
+/// can be missed. Time grows with the rows that a line passes, and not with the faces' areas.
+/// Vertices are at the distance to 1e-12 of it, the middles of segments to 2e-4, but
 /// where a corner of a line is narrower than a face's division. `beams` must hold `distance` in its
 /// range. Throws Cancelled.
 [[nodiscard]] std::vector<LevelLine> levelLines(

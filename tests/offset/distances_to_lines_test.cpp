@@ -4,7 +4,9 @@
 
 #include "bspline_curve/error.h"
 #include "bspline_curve/mesh.h"
+#include "offset/distance_beams.h"
 #include "support/meshes.h"
+#include "support/random.h"
 #include "surface/geodesic_path.h"
 
 #include <gtest/gtest.h>
@@ -83,6 +85,32 @@ TEST(DistancesToLines, AreTheLengthsOfShortestPathsOnRoughMeshes) {
             EXPECT_NEAR(distances[surface.faces()[f][1]], shortest, 1e-9) << "face " << f;
         }
     }
+}
+
+TEST(DistancesToLines, HaveBoundsAroundAPoint) {
+    const Surface surface(withNoise(icosphere(2), 0.05, 3));
+    const std::array lines{lineThrough(
+        surface,
+        {{.face = 0, .barycentric = {0.2, 0.5, 0.3}}, {.face = 0, .barycentric = {0.5, 0.0, 0.5}}}
+    )};
+    const DistanceBeams beams(surface, lines, {.from = 0.0, .to = 10.0});
+    Random random(7);
+    double tightest = 1.0;
+    for (int i = 0; i < 3000; ++i) {
+        const int face = random.integer(0, surface.faceCount() - 1);
+        const auto inside = [&] {
+            const double u = random.uniform(0.0, 1.0);
+            const double v = random.uniform(0.0, 1.0 - u);
+            return SurfacePoint{.face = face, .barycentric = {u, v, 1.0 - u - v}};
+        };
+        const SurfacePoint centre = inside();
+        const SurfacePoint other = inside();
+        const double way = (surface.position(other) - surface.position(centre)).norm();
+        const double least = beams.leastNear(centre, way);
+        EXPECT_LE(least, beams.at(other).distance + 1e-9) << i;
+        tightest = std::min(tightest, beams.at(centre).distance - way - least);
+    }
+    EXPECT_NEAR(tightest, 0.0, 1e-6);
 }
 
 TEST(DistancesToLines, RefuseALineThatLeavesItsFaces) {

@@ -166,6 +166,20 @@ SurfacePolyline onSide(
     return pieces.empty() ? SurfacePolyline{} : pieces.front();
 }
 
+TEST(OffsetCurves, HaveFewPointsOnLargeFaces) {
+    // Two faces, over which a search in steps of the distance has 131,000 places each.
+    const TriangleMesh mesh = plate(1, 1);
+    const Surface surface(mesh);
+    const SurfacePolyline curve = drawn(mesh, {{0.2, 0.3, 0}, {0.8, 0.4, 0}}, false);
+    constexpr double kDistance = 0.01;
+    const DistanceBeams beams(surface, curve, {.from = 0.9 * kDistance, .to = 1.1 * kDistance});
+    const auto lines = wholeLinesAt(surface, beams, kDistance, OffsetOptions().step);
+    ASSERT_EQ(lines.size(), 1U);
+    EXPECT_TRUE(lines[0].closed && isStrict(surface, lines[0]));
+    EXPECT_LT(planeError(curve, lines[0], kDistance), 3e-4);
+    EXPECT_LT(lines[0].points.size(), 400U);
+}
+
 TEST(OffsetCurves, AreFittedByFewControlPointsOnAPlane) {
     for (const int cells : {9, 60}) {
         const TriangleMesh mesh = jitteredPlate(cells, cells, 0.25, 7);
