@@ -29,6 +29,9 @@ struct RemovalConstants {
     /// What a knot adds is felt on so many spans to either side: fits decay by half and more from
     /// span to span.
     int reach = 6;
+    /// After so many trials in turn that failed all knots that are left are taken as needed: on
+    /// curves with thousands of knots hundreds of trials would bring little.
+    int patience = 16;
 };
 
 constexpr RemovalConstants kRemoval;
@@ -68,7 +71,8 @@ SplineCurve KnotRemoval::run() {
     }
     mostBending_ = fit->bending + limits_.bendingShare * (fit->bending + limits_.bendingFloor);
     std::vector<Candidate> batch = nextBatch(*fit);
-    while (!batch.empty()) {
+    int failures = 0;
+    while (!batch.empty() && failures < kRemoval.patience) {
         std::vector<int> rest;
         std::size_t next = 0;
         std::vector<char> isOut(fit->kept.size(), 0);
@@ -84,8 +88,10 @@ SplineCurve KnotRemoval::run() {
         if (trial && isWithin(*trial)) {
             fit = std::move(trial);
             batch = nextBatch(*fit);
+            failures = 0;
         } else {
             shorten(trial ? &*trial : nullptr, batch);
+            ++failures;
             if (batch.empty()) {
                 batch = nextBatch(*fit);
             }

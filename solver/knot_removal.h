@@ -38,7 +38,8 @@ struct RemovalLimits {
 /// Knots are taken out in batches, cheapest first, no two neighbours at once, and the spline is
 /// fitted anew to its samples: least squares of positions and second derivatives under the picks.
 /// What a knot costs by itself is foreseen with the matrix of the fit, near to the knot; one that
-/// costs too much stays for good. Usually five fits; O(n) each for n samples.
+/// costs too much stays for good. Usually five fits, and not many in turn that take out nothing;
+/// O(n) each for n samples.
 class KnotRemoval {
 public:
     /// `curve` and `picks` must outlive it. At least one sample per span.
