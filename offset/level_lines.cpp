@@ -3,6 +3,7 @@
 
 #include "bspline_curve/progress.h"
 #include "offset/face_layout.h"
+#include "surface/line_simplification.h"
 #include "surface/surface_point.h"
 
 #include <algorithm>
@@ -21,8 +22,6 @@ constexpr int kHalvings = 45;
 /// More rows of small triangles in one face would take minutes.
 constexpr int kMostRows = 512;
 
-/// Larger blocks of cells are looked at only where a line may pass.
-constexpr int kSmallBlock = 1;
 /// Of the radius of a block: its corners are not left out by rounding.
 constexpr double kRounding = 1.0 + 1e-6;
 
@@ -93,12 +92,8 @@ private:
         if (from[0] + from[1] >= rows_ || size[0] == 0 || size[1] == 0) {
             return;
         }
-        if (std::max(size[0], size[1]) <= kSmallBlock) {
-            for (int i = from[0]; i < to[0]; ++i) {
-                for (int j = from[1]; j < to[1] && i + j < rows_; ++j) {
-                    cells_.push_back({i, j});
-                }
-            }
+        if (size[0] == 1 && size[1] == 1) {
+            cells_.push_back(from);
             return;
         }
         if (isOnOneSide(face, from, to)) {
@@ -244,79 +239,27 @@ constexpr int kMostDivisions = 12;
 /// A corner of the level is at most this deep, in lengths of the segment that cuts it off.
 constexpr double kCornerDepth = 4.0;
 
-/// Leaves out points of lines.
-class LineThinner {
-public:
-    LineThinner(const Surface& surface, double distance)
-        : surface_(surface), tolerance_(kThinTolerance * distance) {}
-
-    [[nodiscard]] LevelLine thinned(const LevelLine& line) {
-        const std::size_t count = line.points.size();
-        std::vector<char> isKept(count, 1);
-        std::size_t first = 0;
-        while (first + 1 < count) {
-            std::size_t last = first + 1;
-            while (last + 1 < count && isBetween(line, last)) {
-                ++last;
-            }
-            thin(line.points, first, last, isKept);
-            first = last;
-        }
-        LevelLine result{.closed = line.closed, .points = {}, .sides = {}};
-        for (std::size_t i = 0; i < count; ++i) {
-            if (isKept[i] != 0) {
-                result.points.push_back(line.points[i]);
-                result.sides.push_back(line.sides[i]);
-            }
-        }
-        return result;
-    }
-
-private:
-    /// Whether a point is inside a face, and beside the same side as those around it.
-    [[nodiscard]] static bool isBetween(const LevelLine& line, std::size_t i) {
-        return line.points[i].barycentric.minCoeff() > kOnEdgeBarycentric &&
-               line.sides[i] == line.sides[i - 1] && line.sides[i] == line.sides[i + 1];
-    }
-
-    /// By Douglas and Peucker's method: of those from `first` to `last`, in one face.
-    void thin(
-        const std::vector<SurfacePoint>& points,
-        std::size_t first,
-        std::size_t last,
-        std::vector<char>& isKept
-    ) const {
-        std::vector<std::pair<std::size_t, std::size_t>> open = {{first, last}};
-        while (!open.empty()) {
-            const auto [from, to] = open.back();
-            open.pop_back();
-            const Vec3 start = surface_.position(points[from]);
-            const Vec3 way = surface_.position(points[to]) - start;
-            const double length = way.squaredNorm();
-            std::size_t farthest = from;
-            double most = tolerance_ * tolerance_;
-            for (std::size_t i = from + 1; i < to; ++i) {
-                const Vec3 there = surface_.position(points[i]) - start;
-                const double share =
-                    length > 0.0 ? std::clamp(there.dot(way) / length, 0.0, 1.0) : 0.0;
-                const double gap = (there - share * way).squaredNorm();
-                isKept[i] = 0;
-                if (gap > most) {
-                    most = gap;
-                    farthest = i;
-                }
-            }
-            if (farthest != from) {
-                isKept[farthest] = 1;
-                open.emplace_back(from, farthest);
-                open.emplace_back(farthest, to);
-            }
+/// A line without points that it does not need. Those on sides of faces stay, so that consecutive
+/// ones share a face, and those beside which the side of the curve changes.
+LevelLine thinned(const Surface& surface, const LevelLine& line, double distance) {
+    const auto count = static_cast<int>(line.points.size());
+    std::vector<Vec3> positions;
+    std::vector<int> kept;
+    for (int i = 0; i < count; ++i) {
+        positions.push_back(surface.position(line.points[i]));
+        const bool isEnd = i == 0 || i + 1 == count;
+        if (isEnd || line.points[i].barycentric.minCoeff() <= kOnEdgeBarycentric ||
+            line.sides[i] != line.sides[i - 1] || line.sides[i] != line.sides[i + 1]) {
+            kept.push_back(i);
         }
     }
-
-    const Surface& surface_;
-    double tolerance_;
-};
+    LevelLine result{.closed = line.closed, .points = {}, .sides = {}};
+    for (const int i : simplified(positions, std::move(kept), kThinTolerance * distance)) {
+        result.points.push_back(line.points[i]);
+        result.sides.push_back(line.sides[i]);
+    }
+    return result;
+}
 
 /// Adds points between those of a line where its segments leave the level: along arcs, and at the
 /// corners where ways from two sides meet.
@@ -494,12 +437,11 @@ std::vector<LevelLine> levelLines(
         lines.addFace(faces[i]);
     }
     std::vector<LevelLine> result = lines.chained();
-    LineThinner thinner(surface, distance);
     LineRefiner refiner(surface, beams, distance);
     for (std::size_t i = 0; i < result.size(); ++i) {
         const double share = static_cast<double>(i) / static_cast<double>(result.size());
         show(std::lerp(kFacesShare, 1.0, share));
-        result[i] = refiner.refined(thinner.thinned(result[i]));
+        result[i] = refiner.refined(thinned(surface, result[i], distance));
     }
     return result;
 }
