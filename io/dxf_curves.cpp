@@ -30,6 +30,8 @@ constexpr std::size_t kMostDepth = 64;
 /// Entities and their arcs that blocks in blocks come to, at most: files of a kilobyte can ask for
 /// any number.
 constexpr std::size_t kMostInserted = 1000000;
+/// An entity in a block that cannot be drawn counts as so many: it takes as long as they do.
+constexpr std::size_t kPartsOfLeftOut = 10;
 
 /// Entities that show something, but are no curves of this reader.
 constexpr std::array<std::string_view, 7> kDxfLeftOut{
@@ -197,6 +199,7 @@ private:
                 }
             } catch (const InputError& error) {
                 leftOut_.add(error);
+                count(kPartsOfLeftOut);
                 continue;
             }
             if (entity.name() == "INSERT") {
