@@ -198,8 +198,7 @@ private:
                     path = mapped(pathOfDxf(entity, vertices), placing.map);
                 }
             } catch (const InputError& error) {
-                leftOut_.add(error);
-                count(kPartsOfLeftOut);
+                leaveOut(error);
                 continue;
             }
             if (entity.name() == "INSERT") {
@@ -228,6 +227,11 @@ private:
         } else if (!path.arcs.empty()) {
             curves_.paths.push_back(std::move(path));
         }
+    }
+
+    void leaveOut(const InputError& error) {
+        leftOut_.add(error);
+        count(kPartsOfLeftOut);
     }
 
     /// Counts what blocks bring.
@@ -281,7 +285,7 @@ private:
             if (inserted_ > kMostInserted) {
                 throw;
             }
-            leftOut_.add(error);
+            leaveOut(error);
             return;
         }
         open_.erase(name);

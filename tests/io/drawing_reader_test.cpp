@@ -367,6 +367,9 @@ TEST_F(DxfDrawings, BlocksThatAskForTooMuchEndSoon) {
     const std::string array = "0 INSERT|2 A|70 500|71 500";  // of what cannot be drawn
     const std::string bad = "0 SECTION|2 BLOCKS|0 BLOCK|2 A|0 LINE|10 x|0 ENDBLK|0 ENDSEC|";
     expectContains(refusal([&] { return file(array, bad); }), "more than 1000000");
+    const std::string inner =
+        "0 SECTION|2 BLOCKS|0 BLOCK|2 A|0 INSERT|2 B|10 x|0 ENDBLK|0 BLOCK|2 B|0 ENDBLK|0 ENDSEC|";
+    expectContains(refusal([&] { return file(array, inner); }), "more than 1000000");
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(60));
 }
 
