@@ -30,7 +30,7 @@ constexpr std::size_t kMostDepth = 64;
 /// Entities and their arcs that blocks in blocks come to, at most: files of a kilobyte can ask for
 /// any number.
 constexpr std::size_t kMostInserted = 1000000;
-/// An entity in a block that cannot be drawn counts as so many: it takes as long as they do.
+/// An entity in a block that cannot be drawn counts as so many: there is nothing to wait for.
 constexpr std::size_t kPartsOfLeftOut = 10;
 
 /// Entities that show something, but are no curves of this reader.
@@ -186,6 +186,11 @@ private:
             const std::span<const DxfEntity> vertices = entities.subspan(i + 1, end - i - 1);
             i = end - 1;
             count(1);
+            const auto known = unreadable_.find({&entity, placing.layer});
+            if (known != unreadable_.end()) {
+                leaveOut(known->second);
+                continue;
+            }
             SpacePath path;
             try {
                 const bool isInsert = entity.name() == "INSERT";
@@ -198,6 +203,7 @@ private:
                     path = mapped(pathOfDxf(entity, vertices), placing.map);
                 }
             } catch (const InputError& error) {
+                unreadable_.insert({{&entity, placing.layer}, error});
                 leaveOut(error);
                 continue;
             }
@@ -285,6 +291,7 @@ private:
             if (inserted_ > kMostInserted) {
                 throw;
             }
+            unreadable_.insert({{&entity, outer.layer}, error});
             leaveOut(error);
             return;
         }
@@ -295,6 +302,8 @@ private:
     std::map<std::string, Block, std::less<>> blocks_;
     std::set<std::string> layers_, hiddenLayers_, wanted_;
     std::set<std::string> open_;  // blocks that are being drawn
+    // By the layer of the insert, which may hide them: no copy in a block is tried again.
+    std::map<std::pair<const DxfEntity*, std::string>, InputError> unreadable_;
     DxfCurves curves_;
     std::map<std::string, int> others_;
     LeftOut leftOut_;

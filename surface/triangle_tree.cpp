@@ -171,7 +171,10 @@ TriangleTree::Closest TriangleTree::closestPoint(const Vec3& query, double withi
     if (nodes_.empty()) {
         return {};
     }
-    ClosestSearch search(*this, query, within);
+    // Squares of larger differences overflow, and no triangle would be the closest one.
+    constexpr double kFarthest = 1e150;
+    const Vec3 near = query.cwiseMax(-kFarthest).cwiseMin(kFarthest);
+    ClosestSearch search(*this, near, within);
     search.run();
     return search.best;
 }

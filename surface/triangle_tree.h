@@ -35,7 +35,8 @@ public:
     };
 
     /// The closest point of all triangles; of several equally close triangles the one with the
-    /// lowest index. Accurate to rounding (see closestPointOnTriangle). O(log n) near the surface.
+    /// lowest index. Accurate to rounding (see closestPointOnTriangle); coordinates beyond 1e150
+    /// count as that, and so does the distance. O(log n) near the surface.
     /// `within`: there is none where all triangles are as far away as that; soon known.
     [[nodiscard]] Closest closestPoint(
         const Vec3& query, double within = std::numeric_limits<double>::infinity()

@@ -9,7 +9,6 @@
 #include "workpiece/layer_ids.h"
 #include "workpiece/workpiece_parts.h"
 
-#include <cmath>
 #include <utility>
 
 namespace bspline_curve {
@@ -112,7 +111,7 @@ ClosestPoint Workpiece::closestPoint(const Vec3& point) const {
     return {
         .place = parts_->surface->provenance().toInput(closest.point),
         .position = closest.position,
-        .distance = std::sqrt(closest.squaredDistance)
+        .distance = (closest.position - point).stableNorm()  // far away squares overflow
     };
 }
 

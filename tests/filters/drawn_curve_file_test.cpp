@@ -4,6 +4,7 @@
 #include "bspline_curve/error.h"
 #include "bspline_curve/files.h"
 #include "bspline_curve/spline.h"
+#include "bspline_curve/workpiece.h"
 #include "design/curve_designer.h"
 #include "filters/fitting_picks.h"
 #include "io/curve_reader.h"
@@ -390,6 +391,21 @@ TEST_F(DrawnCurveFile, KeepsACurveThatHasNotBeenFound) {
     curves_[0].curve = nullptr;
     saveDrawnCurves(path("a.json"), curves_, surface_);
     expectSame(openDrawnCurves(path("a.json"), surface_).curves);
+}
+
+// With and without a workpiece, which knows what mending did to the mesh.
+TEST_F(DrawnCurveFile, RefusesLinesThatAreTooFarForTheirSquares) {
+    write("a.obj", "v 0 0 0\nv 0.1 1e204 0\nv 0 0 1\nl 1 2 3\n");
+    const Workpiece workpiece{TriangleMesh(designer_.mesh())};
+    for (const Workpiece* const known : {static_cast<const Workpiece*>(nullptr), &workpiece}) {
+        surface_.workpiece = known;
+        expectContains(
+            refusal(
+                [&] { return openDrawnCurves(path("a.obj"), surface_); }, InputErrorCode::PickTooFar
+            ),
+            "a.obj: no curve is near the surface"
+        );
+    }
 }
 
 TEST_F(DrawnCurveFile, ProjectsPicksToAMeshThatChanged) {

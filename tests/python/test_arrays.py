@@ -146,6 +146,14 @@ def test_points_are_projected(mesh):
     assert (distances <= np.linalg.norm(queries[:, None] - centres[None], axis=2).min(1) + 1e-14).all()
 
 
+def test_points_whose_squares_overflow_are_projected(mesh):
+    far = np.array([[1e160, 0, 0], [0, -1e300, 1e300]])
+    points, faces, barycentrics, distances = mesh.project(far)
+    assert (faces >= 0).all()
+    np.testing.assert_allclose((mesh.vertices[mesh.faces[faces]] * barycentrics[..., None]).sum(1), points, atol=1e-14)
+    np.testing.assert_allclose(distances, [1e160, np.sqrt(2) * 1e300])
+
+
 def test_a_shell_lies_above_and_below(mesh):
     top, bottom = mesh.shell()
     assert top.vertices.shape[1] == bottom.faces.shape[1] == 3

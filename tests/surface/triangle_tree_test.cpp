@@ -183,6 +183,16 @@ TEST(TriangleTree, ChoosesTheLowestOfSeveralEquallyCloseTriangles) {
     EXPECT_EQ(copyTree.closestPoint(Vec3(0.3, 0.2, 2.0)).point.face, 0);
 }
 
+TEST(TriangleTree, FindsTheClosestPointWhereSquaresOfDistancesOverflow) {
+    const TriangleMesh mesh = icosphere(1);
+    const TriangleTree tree(mesh.vertices, mesh.faces);
+    for (const double far : {1e150, 1e160, -1e300, std::numeric_limits<double>::max()}) {
+        const TriangleTree::Closest closest = tree.closestPoint(Vec3(0.0, far, 0.5 * far));
+        ASSERT_GE(closest.point.face, 0) << far;
+        EXPECT_TRUE(std::isfinite(closest.squaredDistance)) << far;
+    }
+}
+
 TEST(TriangleTree, FindsPointsOfTheSurfaceAtDistanceZero) {
     SCOPED_TRACE("seed 6");
     Random random(6);
