@@ -22,10 +22,11 @@ using Vec2 = Eigen::Vector2d;
 // Crossings are held where they are as if by springs that give way to kinks over fewer mean edges
 // than this. Over 2 and more, they go to the bounds of the tolerance.
 constexpr double kReach = 1.0;
-// The share of the spline's own bending that is straightened with the kinks, no more than the kinks
-// nearby, of which there are none where the surface is plane. Without it polylines bend by 4 % more
-// at 400 samples, with all of it by 2 %.
+// The share of the spline's own bending that is straightened with the kinks, up to so many times
+// the kinks nearby, of which there are none where the surface is plane. Without it polylines
+// bent 1.13 times as much as splines, with it 1.06 times.
 constexpr double kStraightened = 0.5;
+constexpr double kStraightenedKinks = 2.0;
 // Crossings nearer to each other than so many mean edges move together: beside a vertex the kinks
 // between them are those of a zigzag that nobody sees.
 constexpr double kTogether = 0.02;
@@ -414,7 +415,8 @@ private:
             const double around = (std::abs(kinks[k > 0 ? k - 1 : k].angle) + std::abs(kink.angle) +
                                    std::abs(kinks[std::min(k + 1, kinks.size() - 1)].angle)) /
                                   3.0;
-            const double angle = kink.angle + std::clamp(kink.bend, -around, around);
+            const double most = kStraightenedKinks * around;
+            const double angle = kink.angle + std::clamp(kink.bend, -most, most);
             for (int i = 0; i < kink.terms; ++i) {
                 const double weighted = kink.weight * kink.derivatives[i];
                 right[kink.unknowns[i]] -= weighted * angle;
