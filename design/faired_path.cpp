@@ -89,7 +89,7 @@ public:
             Node node;
             node.foot = FootPoint::at(point.point);
             node.position = point.position;
-            node.normal = normalAt(node.foot, Vec3::Zero());
+            setNormal(node);
             now_.push_back(node);
         }
         if (options.closed) {
@@ -261,10 +261,18 @@ private:
         return in.dot(out) < kFairing.cuspCosine * in.norm() * out.norm();
     }
 
-    [[nodiscard]] Vec3 normalAt(const FootPoint& foot, const Vec3& otherwise) const {
-        const Vec3 normal = extended_.normalAt(foot.face, foot.barycentric());
+    // That of the fibres where the faces around have none.
+    void setNormal(Node& node) const {
+        const Triangle& face = extended_.faces[node.foot.face];
+        const Vec3 first = extended_.vertexNormal(face[0]);
+        const Vec3 byU = extended_.vertexNormal(face[1]) - first;
+        const Vec3 byV = extended_.vertexNormal(face[2]) - first;
+        const Vec3 normal = first + node.foot.u * byU + node.foot.v * byV;
         const double length = normal.norm();
-        return length > 0.0 ? Vec3(normal / length) : otherwise;
+        const double perLength = length > 0.0 ? 1.0 / length : 0.0;
+        node.normal = length > 0.0 ? Vec3(perLength * normal) : node.frame.direction;
+        node.normalByU = perLength * byU;
+        node.normalByV = perLength * byV;
     }
 
     // Puts a node that has been moved onto the surface.
@@ -276,7 +284,7 @@ private:
         }
         node.foot.height = 0.0;
         node.position = extended_.position({node.foot.face, node.foot.barycentric()});
-        node.normal = normalAt(node.foot, node.frame.direction);
+        setNormal(node);
     }
 
     // A node that has come from the start of a segment and is far from its target comes from the
@@ -401,6 +409,9 @@ private:
     [[nodiscard]] bool stopAtBoundary(const Node& from, Node& to) const {
         const bool isOut = isBeyond(to);
         settle(to);
+        if (!guard().isBeside(to.foot.face)) {
+            return isOut;
+        }
         const double clearance = std::min(clearanceOf(to), guard().distanceOf(from));
         if (guard().distanceOf(to) >= clearance || guard().inwardsAt(to, clearance).isZero(0.0)) {
             return isOut;
@@ -414,7 +425,7 @@ private:
     void holdAtBoundary() {
         isHeld_ = isFixed_;
         for (std::size_t i = 0; i < size(); ++i) {
-            if (!isFixed(i)) {
+            if (!isFixed(i) && guard().isBeside(now_[i].foot.face)) {
                 const Vec3& across = term_.ways()[i].across;
                 const double inwards = across.dot(guard().inwardsAt(now_[i], clearanceOf(now_[i])));
                 const bool isStraight = std::abs(inwards) > kFairing.straight * across.norm();
@@ -460,21 +471,26 @@ private:
     // Whether all points of the trial came to lie where they were sent.
     bool tryStep(const Eigen::VectorXd& step, double mean) {
         trial_ = now_;
+        targets_.resize(size());
         std::vector<FibreProjector::Move> moves;
         for (std::size_t i = 0; i < size(); ++i) {
             if (!isHeld(i)) {
-                const Vec3 way = step[static_cast<Eigen::Index>(i)] * term_.ways()[i].across;
-                FibreProjector::predict(way, now_[i].frame, trial_[i].foot);
-                moves.push_back({now_[i].position + way, &trial_[i].foot, &trial_[i].frame});
+                const NodeWay& way = term_.ways()[i];
+                const double share = step[static_cast<Eigen::Index>(i)];
+                trial_[i].foot.u += share * way.u;
+                trial_[i].foot.v += share * way.v;
+                targets_[i] = now_[i].position + share * way.across;
+                if (!finder_.stayInFace(trial_[i].foot, trial_[i].frame)) {
+                    moves.push_back({targets_[i], &trial_[i].foot, &trial_[i].frame});
+                }
             }
         }
         static_cast<void>(finder_.moveAll(moves));
         isTrialNear_ = true;
-        auto move = moves.begin();
         for (std::size_t i = 0; i < size(); ++i) {
             if (!isHeld(i)) {
                 const bool isStopped = stopAtBoundary(now_[i], trial_[i]);
-                const double missed = (trial_[i].position - (move++)->p).norm();
+                const double missed = (trial_[i].position - targets_[i]).norm();
                 isTrialNear_ = isTrialNear_ && (isStopped || missed <= kFairing.farthest * mean);
             }
         }
@@ -495,6 +511,7 @@ private:
     double lengthBefore_;  // of the path, before it is faired
     double chord_;         // length of the polygon of picks
     std::vector<Node> now_, trial_;
+    std::vector<Vec3> targets_;  // of the nodes of the trial
     bool isTrialNear_ = false;
     std::vector<NodeStop> stops_;
     NearPicks near_;

@@ -95,30 +95,38 @@ void FairingEnergy::addHalfTurn(std::size_t other, const HalfTurn& half, double 
     rows_[other][0] += weight * slope * slope;
 }
 
+void FairingEnergy::measureSegments(Nodes nodes) {
+    const NodeRow row = rowOf(nodes);
+    segments_.resize(row.segmentCount());
+    for (std::size_t i = 0; i < segments_.size(); ++i) {
+        const Vec3 way = row.segment(nodes, i);
+        const double length = way.norm();
+        segments_[i] = {way, length > 0.0 ? Vec3(way / length) : Vec3(Vec3::Zero()), length};
+    }
+}
+
 NodeWay FairingEnergy::wayOf(Nodes nodes, std::size_t i) const {
     const NodeRow row = rowOf(nodes);
     const FairingNode& node = nodes[i];
-    const bool isFirst = !row.hasBefore(i);
-    const bool isLast = !row.hasAfter(i);
-    const Vec3 along =
-        (isFirst ? Vec3(Vec3::Zero()) : Vec3(row.segment(nodes, row.before(i)).normalized())) +
-        (isLast ? Vec3(Vec3::Zero()) : Vec3(row.segment(nodes, i).normalized()));
+    Vec3 along = Vec3::Zero();
+    if (row.hasBefore(i)) {
+        along += segments_[row.before(i)].tangent;
+    }
+    if (row.hasAfter(i)) {
+        along += segments_[i].tangent;
+    }
     const Vec3 across = node.normal.cross(along).normalized();
     const Triangle& face = extended_.faces[node.foot.face];
     const Vec3& corner = extended_.vertices[face[0]];
     const double u = node.frame.u.dot(across);
     const double v = node.frame.v.dot(across);
-    const Vec3 normal = extended_.vertexNormal(face[0]);
-    const double length = extended_.normalAt(node.foot.face, node.foot.barycentric()).norm();
     NodeWay way;
+    way.u = u;
+    way.v = v;
     way.across =
         u * (extended_.vertices[face[1]] - corner) + v * (extended_.vertices[face[2]] - corner);
-    if (length > 0.0) {
-        const Vec3 turn = (u * (extended_.vertexNormal(face[1]) - normal) +
-                           v * (extended_.vertexNormal(face[2]) - normal)) /
-                          length;
-        way.turn = turn - turn.dot(node.normal) * node.normal;
-    }
+    const Vec3 turn = u * node.normalByU + v * node.normalByV;
+    way.turn = turn - turn.dot(node.normal) * node.normal;
     if (!field_.empty()) {
         const auto& values = field_.values;
         way.fieldBy =
@@ -135,6 +143,7 @@ void FairingEnergy::differentiate(
     double strength
 ) {
     const NodeRow row = rowOf(nodes);
+    measureSegments(nodes);
     ways_.assign(row.size, {});
     for (std::size_t i = 0; i < row.size; ++i) {
         if (isFixed[i] == 0) {
@@ -207,8 +216,8 @@ void FairingEnergy::addTurn(Nodes nodes, std::size_t i, double weight) {
     const NodeRow row = rowOf(nodes);
     const std::array<std::size_t, 3> at = {row.before(i), i, row.after(i)};
     const PathTurn turn = pathTurn(
-        row.segment(nodes, at[0]),
-        row.segment(nodes, i),
+        segments_[at[0]].way,
+        segments_[i].way,
         nodes[i].normal,
         {&ways_[at[0]], &ways_[i], &ways_[at[2]]}
     );
@@ -229,9 +238,8 @@ void FairingEnergy::addTurn(Nodes nodes, std::size_t i, double weight) {
 void FairingEnergy::addSegment(Nodes nodes, std::size_t i, double weight) {
     const NodeRow row = rowOf(nodes);
     const std::size_t next = row.after(i);
-    const Vec3 way = row.segment(nodes, i);
-    const double length = way.norm();
-    const Vec3 tangent = way / length;
+    const double length = segments_[i].length;
+    const Vec3& tangent = segments_[i].tangent;
     const Vec3& a = ways_[i].across;
     const Vec3& b = ways_[next].across;
     gradientAt(i) -= weight * tangent.dot(a);

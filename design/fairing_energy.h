@@ -80,6 +80,11 @@ public:
 private:
     using Nodes = std::span<const FairingNode>;
 
+    struct Segment {
+        Vec3 way, tangent;
+        double length;
+    };
+
     [[nodiscard]] NodeRow rowOf(Nodes nodes) const { return {nodes.size(), options_.closed}; }
 
     [[nodiscard]] std::vector<FieldCostValue> fieldCostsAt(Nodes nodes) const;
@@ -87,6 +92,7 @@ private:
         Nodes nodes, const std::vector<double>& lengths, double length
     ) const;
     [[nodiscard]] NodeWay wayOf(Nodes nodes, std::size_t i) const;
+    void measureSegments(Nodes nodes);
 
     [[nodiscard]] double& gradientAt(std::size_t i) {
         return gradient_[static_cast<Eigen::Index>(i)];
@@ -102,8 +108,9 @@ private:
     const SolverOptions& options_;
     const PathField& field_;
     double chord_;
-    std::vector<Vec3> tangents_;  // by node
-    std::vector<NodeWay> ways_;   // likewise
+    std::vector<Vec3> tangents_;     // by node
+    std::vector<Segment> segments_;  // of what is differentiated
+    std::vector<NodeWay> ways_;      // likewise
     Eigen::VectorXd gradient_;
     std::vector<std::array<double, 3>> rows_;
 };

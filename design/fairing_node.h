@@ -11,6 +11,8 @@ namespace bspline_curve {
 /// A point of a path that is faired.
 struct FairingNode : SurfaceNode {
     Vec3 normal = Vec3::Zero();  ///< of the faces around, unit
+    /// Derivatives of that by u and by v of the foot, but for what they have along it.
+    Vec3 normalByU = Vec3::Zero(), normalByV = Vec3::Zero();
 };
 
 /// Nodes in a row, or round a closed path, and the segments between them.

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 
 namespace bspline_curve {
 
@@ -28,31 +27,36 @@ TurnValue turnOf(double sine, double cosine) {
 PathTurn pathTurn(
     const Vec3& in, const Vec3& out, const Vec3& normal, const std::array<const NodeWay*, 3>& ways
 ) {
-    const double sine = normal.dot(in.cross(out));
+    const Vec3 area = in.cross(out);
+    const Vec3 sineByIn = out.cross(normal);
+    const Vec3 sineByOut = normal.cross(in);
+    const double sine = normal.dot(area);
     const double cosine = in.dot(out);
     const double squares = sine * sine + cosine * cosine;
+    const double perSquares = squares > 0.0 ? 1.0 / squares : 0.0;
     const double inLength = in.norm();
     const double outLength = out.norm();
     PathTurn turn;
     const auto [value, byAngle] = turnOf(sine, cosine);
     turn.value = value;
     turn.length = 0.5 * (inLength + outLength);
-    for (std::size_t k = 0; k < 3; ++k) {
-        const Vec3& across = ways[k]->across;
-        // Of `in` and `out` by the node before, the node and the node after.
-        const double inSign = k == 0 ? -1.0 : (k == 1 ? 1.0 : 0.0);
-        const double outSign = k == 2 ? 1.0 : (k == 1 ? -1.0 : 0.0);
-        double sineBy =
-            inSign * normal.dot(across.cross(out)) + outSign * normal.dot(in.cross(across));
-        if (k == 1) {
-            sineBy += ways[k]->turn.dot(in.cross(out));
-        }
-        const double cosineBy = inSign * across.dot(out) + outSign * across.dot(in);
-        const double angleBy = squares > 0.0 ? (cosine * sineBy - sine * cosineBy) / squares : 0.0;
-        turn.valueBy[k] = byAngle * angleBy;
-        turn.lengthBy[k] =
-            0.5 * (inSign * in.dot(across) / inLength + outSign * out.dot(across) / outLength);
-    }
+    // Of the angle and the length by `in` and by `out`.
+    const Vec3 angleByIn = byAngle * perSquares * (cosine * sineByIn - sine * out);
+    const Vec3 angleByOut = byAngle * perSquares * (cosine * sineByOut - sine * in);
+    const Vec3 lengthByIn = 0.5 / inLength * in;
+    const Vec3 lengthByOut = 0.5 / outLength * out;
+    const auto& [before, here, after] = ways;
+    turn.valueBy = {
+        -angleByIn.dot(before->across),
+        (angleByIn - angleByOut).dot(here->across) +
+            byAngle * perSquares * cosine * area.dot(here->turn),
+        angleByOut.dot(after->across)
+    };
+    turn.lengthBy = {
+        -lengthByIn.dot(before->across),
+        (lengthByIn - lengthByOut).dot(here->across),
+        lengthByOut.dot(after->across)
+    };
     return turn;
 }
 

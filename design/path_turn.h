@@ -19,7 +19,8 @@ struct TurnValue {
 /// How a node of a path and its normal move by its unknown, its way across the path.
 struct NodeWay {
     Vec3 across = Vec3::Zero(), turn = Vec3::Zero();
-    double fieldBy = 0.0;  ///< derivative of I
+    double u = 0.0, v = 0.0;  ///< of its foot, in its face
+    double fieldBy = 0.0;     ///< derivative of I
 };
 
 /// The turn of a path at a node, the length that is its own, and their derivatives by the unknowns

@@ -51,6 +51,12 @@ bool BoundaryGuard::isBeyond(int face) const {
     return face < 0 || face >= extended_.surfaceFaceCount;
 }
 
+bool BoundaryGuard::isBeside(int face) const {
+    return std::ranges::any_of(extended_.faceNeighbours[face], [&](int neighbour) {
+        return isBeyond(neighbour);
+    });
+}
+
 // The side on the boundary that is nearest, of its face.
 BoundaryGuard::Side BoundaryGuard::sideOf(const SurfaceNode& node) const {
     const Triangle& face = extended_.faces[node.foot.face];

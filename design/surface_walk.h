@@ -30,6 +30,9 @@ public:
     BoundaryGuard(const ExtendedSurface& extended, const FibreProjector& finder)
         : extended_(extended), finder_(finder) {}
 
+    /// Whether a face has the boundary at a side.
+    [[nodiscard]] bool isBeside(int face) const;
+
     /// How far it is to the boundary in the face of a node; infinite where that is not beside it.
     [[nodiscard]] double distanceOf(const SurfaceNode& node) const;
 

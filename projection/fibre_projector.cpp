@@ -73,6 +73,18 @@ void FibreProjector::predict(const Vec3& moved, const FootFrame& frame, FootPoin
     foot.height += frame.height.dot(moved);
 }
 
+bool FibreProjector::stayInFace(const FootPoint& foot, FootFrame& frame) const {
+    if (foot.barycentric().minCoeff() < 0.0) {
+        return false;
+    }
+    const FaceFibres fibres(extended_, foot.face);
+    if (!fibres.frameAt(foot, frame)) {
+        return false;
+    }
+    fibres.complete(frame);
+    return true;
+}
+
 void FibreProjector::move(const Vec3& p, FootPoint& foot, FootFrame& frame) const {
     Walk walk{{p, &foot, &frame}, foot.face};
     while (!walk.isAtEnd) {

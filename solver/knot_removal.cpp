@@ -27,8 +27,8 @@ struct RemovalConstants {
     /// with more, what is taken first leaves nothing for the others.
     double shareOfKnot = 0.25, shareOfBatch = 0.5;
     /// What a knot adds is felt on so many spans to either side: fits decay by half and more from
-    /// span to span.
-    int reach = 6;
+    /// span to span. With 6 as many knots are left.
+    int reach = 4;
     /// After so many trials in turn that failed all knots that are left are taken as needed: on
     /// curves with thousands of knots hundreds of trials would bring little.
     int patience = 16;

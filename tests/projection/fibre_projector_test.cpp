@@ -162,6 +162,25 @@ TEST_P(FeetNear, ArePredictedToSecondOrder) {
     }
 }
 
+TEST_P(FeetNear, ThatStayInTheirFaceHaveTheFramesOfWalks) {
+    const FibreProjector finder(extended_);
+    for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const FootPoint foot = randomFoot(extended_, random, 0.0);
+        const Found walked = find(extended_, footPosition(extended_, foot), foot);
+        ASSERT_EQ(walked.foot.face, foot.face);
+        FootFrame frame;
+        ASSERT_TRUE(finder.stayInFace(foot, frame));
+        EXPECT_LT((frame.u - walked.frame.u).norm() * edge_, 1e-9);
+        EXPECT_LT((frame.v - walked.frame.v).norm() * edge_, 1e-9);
+        EXPECT_LT((frame.height - walked.frame.height).norm(), 1e-9);
+        EXPECT_LT((frame.direction - walked.frame.direction).norm(), 1e-9);
+        EXPECT_FALSE(finder.stayInFace({foot.face, foot.u, -1e-12, 0.0}, frame));
+        EXPECT_FALSE(finder.stayInFace({foot.face, 0.6, 0.5, 0.0}, frame));
+    }
+}
+
 TEST_P(FeetNear, AreAmongThoseOfASearchOverAllFaces) {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
