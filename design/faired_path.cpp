@@ -264,7 +264,7 @@ private:
     // That of the fibres where the faces around have none.
     void setNormal(Node& node) const {
         const Triangle& face = extended_.faces[node.foot.face];
-        const Vec3 first = extended_.vertexNormal(face[0]);
+        const Vec3& first = extended_.vertexNormal(face[0]);
         const Vec3 byU = extended_.vertexNormal(face[1]) - first;
         const Vec3 byV = extended_.vertexNormal(face[2]) - first;
         const Vec3 normal = first + node.foot.u * byU + node.foot.v * byV;

@@ -88,7 +88,7 @@ public:
     // Normals of faces, and their sums at vertices, each weighted by the angle of its corner.
     void sumNormals() {
         extended_.directions = makeLarge<Vec3>(extended_.vertices.size(), Vec3::Zero());
-        extended_.areaNormals = makeLarge<Vec3>(extended_.vertices.size(), Vec3::Zero());
+        extended_.normals = makeLarge<Vec3>(extended_.vertices.size(), Vec3::Zero());
         // Face by face, so that nothing of a face is computed or fetched for each of its corners.
         reserveLarge(normals_, extended_.faces.size());
         for (int f = 0; f < surface_.faceCount(); ++f) {
@@ -97,9 +97,12 @@ public:
             normals_.push_back(cross.normalized());
             const Triangle& face = extended_.faces[f];
             for (int k = 0; k < 3; ++k) {
-                extended_.areaNormals[face[k]] += cross;
+                extended_.normals[face[k]] += cross;
                 extended_.directions[face[k]] += cornerAngle(face, k, doubleArea) * normals_.back();
             }
+        }
+        for (int v = 0; v < surface_.vertexCount(); ++v) {
+            extended_.normals[v].normalize();
         }
     }
 

@@ -29,9 +29,9 @@ struct ExtendedSurface {
     std::vector<Triangle> faces;           ///< those of the surface, then ghosts
     std::vector<Triangle> faceNeighbours;  ///< as Surface::faceNeighbours, over all faces
     std::vector<Vec3> directions;          ///< unit pillar direction of each vertex
-    /// Sums of the normals of the faces at each vertex of the surface, by area: twice the area
-    /// where these are parallel. Not smoothed and not turned, as the directions are. For curvature.
-    std::vector<Vec3> areaNormals;
+    /// Mean normal of the faces at each vertex of the surface, by area: unit, or zero where its
+    /// faces have no area. Not smoothed and not turned, as the directions are. For curvature.
+    std::vector<Vec3> normals;
     /// Mean length of the edges at each vertex; 0 at unreferenced ones.
     std::vector<double> edgeLengths;
     int surfaceVertexCount = 0, surfaceFaceCount = 0;
@@ -47,8 +47,7 @@ struct ExtendedSurface {
                point.barycentric[2] * vertices[face[2]];
     }
 
-    /// The normal at a point, linear in the area normals' directions over its face; zero where
-    /// these are.
+    /// The normal at a point, linear in those of the vertices over its face; not unit.
     [[nodiscard]] Vec3 normalAt(int face, const Vec3& barycentric) const {
         Vec3 sum = Vec3::Zero();
         for (int corner = 0; corner < 3; ++corner) {
@@ -57,9 +56,9 @@ struct ExtendedSurface {
         return sum;
     }
 
-    /// Of a vertex, unit; zero where its faces have no area.
-    [[nodiscard]] Vec3 vertexNormal(int vertex) const {
-        return areaNormals[surfaceVertex(vertex)].normalized();
+    /// Of a vertex, ghosts too.
+    [[nodiscard]] const Vec3& vertexNormal(int vertex) const {
+        return normals[surfaceVertex(vertex)];
     }
 
     /// The vertex of the surface behind a vertex: itself, or the boundary vertex that a ghost grew

@@ -357,40 +357,47 @@ Vec3 KnotRemoval::moveWithout(const Fit& fit, int index) {
 }
 
 KnotRemoval::Cost KnotRemoval::costOf(const Fit& fit, int index) {
-    const SplineSpace& space = fit.space;
     const Vec3 step = moveWithout(fit, index);
-    const int spans = space.spanCount();
-    const bool isRound = space.closed() && spans > 2 * kRemoval.reach;
-    const int begin = isRound ? index - kRemoval.reach : std::max(0, index - kRemoval.reach);
-    const int end = isRound ? index + kRemoval.reach : std::min(spans, index + kRemoval.reach);
+    const int spans = fit.space.spanCount();
+    const bool isRound = fit.space.closed() && spans > 2 * kRemoval.reach;
     Cost cost{0.0, 0.0};
-    for (int at = begin; at < end; ++at) {
-        const int span = (at + spans) % spans;
-        std::array<double, kMaxBasis> shares;
-        for (int j = 0; j < space.basisCount(); ++j) {
-            shares[j] = answer_[space.control(span, j)];
-        }
-        const auto [first, last] = samplesOf(fit, span);
-        for (int i = first; i < last; ++i) {
-            const SeenSample& sample = samples_[i];
-            const Row& row = fit.rows[i];
-            double moved = 0.0;
-            double faster = 0.0;
-            double bent = 0.0;
-            for (int j = 0; j < space.basisCount(); ++j) {
-                moved += row.basis[j] * shares[j];
-                faster += row.first[j] * shares[j];
-                bent += row.second[j] * shares[j];
+    // Outwards from the knot, so that most of those which are needed are soon known.
+    for (int k = 0; k < kRemoval.reach && cost.farthest < 1.0; ++k) {
+        for (const int at : {index - 1 - k, index + k}) {
+            if (isRound || (at >= 0 && at < spans)) {
+                addCost(fit, (at + spans) % spans, step, cost);
             }
-            cost.farthest = std::max(cost.farthest, farness(sample, fit.ways[i] + moved * step));
-            const Vec3 velocity = fit.firsts[i] + faster * step;
-            const Vec3 second = fit.seconds[i] + bent * step;
-            const double turn = sample.normal.dot(velocity.cross(second));
-            cost.bending += sample.weight * (bendOf(turn, velocity.squaredNorm()) - fit.bends[i]);
         }
     }
     cost.bending *= fit.length;
     return cost;
+}
+
+// What samples of a span add to the cost of a knot, whose answer_ moves them by `step`.
+void KnotRemoval::addCost(const Fit& fit, int span, const Vec3& step, Cost& cost) const {
+    const SplineSpace& space = fit.space;
+    std::array<double, kMaxBasis> shares;
+    for (int j = 0; j < space.basisCount(); ++j) {
+        shares[j] = answer_[space.control(span, j)];
+    }
+    const auto [first, last] = samplesOf(fit, span);
+    for (int i = first; i < last; ++i) {
+        const SeenSample& sample = samples_[i];
+        const Row& row = fit.rows[i];
+        double moved = 0.0;
+        double faster = 0.0;
+        double bent = 0.0;
+        for (int j = 0; j < space.basisCount(); ++j) {
+            moved += row.basis[j] * shares[j];
+            faster += row.first[j] * shares[j];
+            bent += row.second[j] * shares[j];
+        }
+        cost.farthest = std::max(cost.farthest, farness(sample, fit.ways[i] + moved * step));
+        const Vec3 velocity = fit.firsts[i] + faster * step;
+        const Vec3 second = fit.seconds[i] + bent * step;
+        const double turn = sample.normal.dot(velocity.cross(second));
+        cost.bending += sample.weight * (bendOf(turn, velocity.squaredNorm()) - fit.bends[i]);
+    }
 }
 
 // Takes out of a batch, and keeps for good, the knots nearest to where its trial is too far away;

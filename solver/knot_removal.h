@@ -87,7 +87,7 @@ private:
     // What it would cost to take one knot out.
     struct Cost {
         double farthest;  // largest height or way there would be, 1 at the limit
-        double bending;   // more than now
+        double bending;   // more than now; not all of it where the knot is needed
     };
 
     struct Candidate {
@@ -109,6 +109,7 @@ private:
     [[nodiscard]] std::vector<Candidate> nextBatch(const Fit& fit);
     [[nodiscard]] Vec3 moveWithout(const Fit& fit, int index);
     [[nodiscard]] Cost costOf(const Fit& fit, int index);
+    void addCost(const Fit& fit, int span, const Vec3& step, Cost& cost) const;
     void shorten(const Fit* trial, std::vector<Candidate>& batch);
 
     const SplineCurve& curve_;
