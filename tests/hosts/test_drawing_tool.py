@@ -61,8 +61,9 @@ def test_a_layer_of_a_curve_is_taken_up_again(meshlab):
     tool = Tool(meshlab, count=2)
     for offset in CLICKS:
         tool.expect(offset, HANDLE)
-    tool.drag(CLICKS[2], DRAG)
-    tool.expect(CLICKS[2] + DRAG, SELECTED)
+    far = 2 * DRAG
+    tool.drag(CLICKS[2], far)
+    tool.expect(CLICKS[2] + far, SELECTED)
     meshlab.key("Return")
     second = meshlab.wait_for_log(MADE, 2)
     assert meshlab.layers() == 3  # in place of the old ones
