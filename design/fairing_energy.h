@@ -109,8 +109,8 @@ private:
     const PathField& field_;
     double chord_;
     std::vector<Vec3> tangents_;     // by node
-    std::vector<Segment> segments_;  // of what is differentiated
     std::vector<NodeWay> ways_;      // likewise
+    std::vector<Segment> segments_;  // after each node, in differentiate()
     Eigen::VectorXd gradient_;
     std::vector<std::array<double, 3>> rows_;
 };

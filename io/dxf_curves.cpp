@@ -30,7 +30,8 @@ constexpr std::size_t kMostDepth = 64;
 /// Entities and their arcs that blocks in blocks come to, at most: files of a kilobyte can ask for
 /// any number.
 constexpr std::size_t kMostInserted = 1000000;
-/// An entity in a block that cannot be drawn counts as so many: there is nothing to wait for.
+/// An entity in a block that cannot be drawn counts as so many: a large array of it shows nothing,
+/// and is soon refused.
 constexpr std::size_t kPartsOfLeftOut = 10;
 
 /// Entities that show something, but are no curves of this reader.
