@@ -23,7 +23,7 @@ struct StopConstants {
     double mostQuadraticKnotGrowth = 5.0;  ///< of quadratic splines, which need more
     /// Where spans are halved that leave the tolerance between samples, knots become a few more.
     /// Where they become so many times as many, it is the fibres there that are of no use.
-    double mostHalving = 8.0;
+    double mostHalving = 2.0;
     /// Knots are also in vain after so many rounds in which a curve was near and Newton's method
     /// did not end: it is pressed against what it avoids, and each further knot presses anew.
     int mostUnfinishedRounds = 8;

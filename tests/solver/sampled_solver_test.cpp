@@ -330,12 +330,12 @@ TEST(SampledCurves, CostLittleMoreOfDegreeTwo) {
     }
 }
 
-TEST(StopRule, EndsHalvingWhereItMakesManyTimesAsManyKnots) {
+TEST(StopRule, EndsHalvingWhereItMakesTwiceAsManyKnots) {
     StopRule rule(false);
     EXPECT_FALSE(rule.isHalvingInVain(30));
-    EXPECT_FALSE(rule.isHalvingInVain(70));
-    EXPECT_FALSE(rule.isHalvingInVain(240));
-    EXPECT_TRUE(rule.isHalvingInVain(241));
+    EXPECT_FALSE(rule.isHalvingInVain(40));
+    EXPECT_FALSE(rule.isHalvingInVain(60));
+    EXPECT_TRUE(rule.isHalvingInVain(61));
 }
 
 // ---- Curves that are not ----
