@@ -43,8 +43,9 @@ constexpr double kUsable = 0.98;
 // The share of the way to the next pick that parameters keep from each other.
 constexpr double kLeastAdvance = 1e-6;
 // Where the spline advances by less than this share of the way between two crossings, as in a
-// zigzag beside a vertex, directions between them say nothing about the curve.
-constexpr double kLeastPace = 0.5;
+// zigzag beside a vertex, directions between them say nothing about the curve. Over a ledge in the
+// surface it advances by a third.
+constexpr double kLeastPace = 0.2;
 // The largest value of s (1 - s)^2.
 constexpr double kCubicBulge = 4.0 / 27.0;
 // Moves beyond their bounds by more than this share of these are drawn back, by springs that become
