@@ -30,18 +30,19 @@ struct FairingLevel {
 };
 
 struct FairingConstants {
-    /// Points are spread evenly anew once steps are short. With half as many the path leaves the
+    /// Points are spread evenly anew once steps are short. With 45 at first the path leaves the
     /// surface at thin limbs. With 128 at last curves bend by 0.7 % less, and a pick that moves by
     /// little makes them jump more often.
-    std::array<FairingLevel, 2> levels = {{{90, 3, 20, 1e-2}, {80, 6, 12, 1e-5}}};
-    /// Of the Hessian's diagonal. Few paths need more than the first.
-    double firstDamping = 1e-4, leastDamping = 1e-8, dampingGrowth = 6.0, dampingDecay = 0.25;
+    std::array<FairingLevel, 2> levels = {{{64, 3, 20, 3e-2}, {80, 6, 12, 1e-4}}};
+    /// Of the Hessian's diagonal: the first and least, which hardly shortens a step, and the factor
+    /// by which it grows where a step fails, and falls after one.
+    double leastDamping = 1e-5, dampingFactor = 30.0;
     int mostTrials = 6;  // of a step, each damped more
     /// Paths that gain more than this share in a step go on, up to so many steps: they unfold.
     double unfoldingShare = 0.02;
     int mostUnfoldingSteps = 60;
     /// Of a point, in mean segments: farther away the derivatives say nothing of the surface.
-    double longestStep = 1.0;
+    double longestStep = 1.5;
     /// A step is halved, so many times at most, where a point comes to lie farther from where it
     /// was sent, in mean segments, or a segment grows by more than this factor and share of a mean
     /// one: it has come to another part of the surface.
@@ -392,7 +393,7 @@ private:
     }
 
     void relax(const FairingLevel& level) {
-        double damping = kFairing.firstDamping;
+        double damping = kFairing.leastDamping;
         double gain = 1.0;
         for (int step = 0; step < level.mostSteps ||
                            (gain > kFairing.unfoldingShare && step < kFairing.mostUnfoldingSteps);
@@ -459,11 +460,11 @@ private:
                     std::swap(now_, trial_);
                     near_ = std::move(near);
                     energy_ = after;
-                    damping = std::max(kFairing.leastDamping, damping * kFairing.dampingDecay);
+                    damping = std::max(kFairing.leastDamping, damping / kFairing.dampingFactor);
                     return gain;
                 }
             }
-            damping *= kFairing.dampingGrowth;
+            damping *= kFairing.dampingFactor;
         }
         return 0.0;
     }
