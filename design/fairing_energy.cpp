@@ -45,17 +45,18 @@ PathEnergy FairingEnergy::valueOf(Nodes nodes, const NearPicks& near, double str
         lengths[i] = row.segment(nodes, i).norm();
         energy.length += lengths[i];
     }
+    Vec3 in = options_.closed ? row.segment(nodes, row.before(0)) : Vec3(Vec3::Zero());
     for (std::size_t i = 0; i < row.size; ++i) {
+        const Vec3 out = row.hasAfter(i) ? row.segment(nodes, i) : Vec3(Vec3::Zero());
         if (hasTangent(i)) {
             for (const auto& [other, half] : halfTurnsAt(i, nodes)) {
                 energy.bending += half.value * half.value / half.length;
             }
         } else if (row.hasTurn(i)) {
-            const Vec3 in = row.segment(nodes, row.before(i));
-            const Vec3 out = row.segment(nodes, i);
             const double turn = turnOf(nodes[i].normal.dot(in.cross(out)), in.dot(out)).value;
             energy.bending += turn * turn / (0.5 * (lengths[row.before(i)] + lengths[i]));
         }
+        in = out;
     }
     const double stretch = energy.length / chord_;
     energy.own = (1.0 - options_.tension) * energy.length * energy.bending +

@@ -144,8 +144,7 @@ double InitialPath::length() const {
     return length;
 }
 
-Vec3 InitialPath::positionAt(double t) const {
-    const std::size_t i = indexAt(t);
+Vec3 InitialPath::positionAfter(std::size_t i, double t) const {
     const Point& a = points[i];
     const Point& b = points[i + 1];
     const double s =

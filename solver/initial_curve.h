@@ -23,7 +23,10 @@ struct InitialPath {
     [[nodiscard]] std::size_t indexAt(double t) const;
 
     /// On the straight line between two points.
-    [[nodiscard]] Vec3 positionAt(double t) const;
+    [[nodiscard]] Vec3 positionAt(double t) const { return positionAfter(indexAt(t), t); }
+
+    /// The same where point i is indexAt(t).
+    [[nodiscard]] Vec3 positionAfter(std::size_t i, double t) const;
 
     [[nodiscard]] double length() const;
 };

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <type_traits>
 #include <utility>
 
 namespace bspline_curve {
@@ -39,6 +40,23 @@ constexpr RemovalConstants kRemoval;
 // The squared geodesic curvature times the speed, of turn = n . (P' x P'').
 double bendOf(double turn, double squaredSpeed) {
     return turn * turn / (squaredSpeed * squaredSpeed * std::sqrt(squaredSpeed));
+}
+
+// Calls `act` with the number of basis functions on a span, as a constant: loops over them are
+// most of the work.
+template <typename Act>
+void withBasisCount(const SplineSpace& space, const Act& act) {
+    static_assert(kMaxBasis == 5);
+    switch (space.basisCount()) {
+        case 3:
+            act(std::integral_constant<int, 3>{});
+            break;
+        case 4:
+            act(std::integral_constant<int, 4>{});
+            break;
+        default:
+            act(std::integral_constant<int, 5>{});
+    }
 }
 
 }  // namespace
@@ -149,7 +167,7 @@ std::optional<KnotRemoval::Fit> KnotRemoval::fitOn(std::vector<int> kept, const 
     if (!(picks.residual(fit.controls).lpNorm<Eigen::Infinity>() < kRemoval.pickAccuracy)) {
         return std::nullopt;
     }
-    measure(fit);
+    withBasisCount(fit.space, [&](auto count) { measure<count()>(fit); });
     return fit;
 }
 
@@ -169,21 +187,18 @@ void KnotRemoval::sumSamples(Fit& fit, const Fit* like) const {
         }
         if (like == nullptr || like->kept[other + 1] != fit.kept[span + 1] ||
             like->space.basis(other) != fit.space.basis(span)) {
-            sumSpan(fit, span);
+            withBasisCount(fit.space, [&](auto count) { sumSpan<count()>(fit, span); });
             continue;
         }
         fit.sums[span] = like->sums[other];
         const auto [begin, end] = samplesOf(fit, span);
-        for (int i = begin; i < end; ++i) {
-            fit.rows[i] = like->rows[i];
-            fit.rows[i].span = span;
-        }
+        std::copy(like->rows.begin() + begin, like->rows.begin() + end, fit.rows.begin() + begin);
     }
 }
 
+template <int kBasis>
 void KnotRemoval::sumSpan(Fit& fit, int span) const {
     const SplineSpace& space = fit.space;
-    const int n = space.basisCount();
     const SplineSpace::BasisMatrix& table = space.basis(span);
     const double perLength = 1.0 / space.spanLength(span);
     SpanSums& sums = fit.sums[span];
@@ -195,14 +210,13 @@ void KnotRemoval::sumSpan(Fit& fit, int span) const {
     for (int i = begin; i < end; ++i) {
         const SeenSample& sample = samples_[i];
         Row& row = fit.rows[i];
-        row.span = span;
         const double tau = (sample.parameter - space.breaks()[span]) * perLength;
-        for (int j = 0; j < n; ++j) {
+        for (int j = 0; j < kBasis; ++j) {
             // Horner's scheme for a polynomial and its derivatives.
             double value = 0.0;
             double first = 0.0;
             double halfSecond = 0.0;
-            for (int m = space.degree(); m >= 0; --m) {
+            for (int m = kBasis - 1; m >= 0; --m) {
                 halfSecond = halfSecond * tau + first;
                 first = first * tau + value;
                 value = value * tau + table(j, m);
@@ -236,28 +250,39 @@ void KnotRemoval::addSums(Fit& fit, ControlPoints& right) const {
     }
 }
 
+template <int kBasis>
 void KnotRemoval::measure(Fit& fit) const {
     const SplineSpace& space = fit.space;
+    fit.firsts.reserve(samples_.size());
+    fit.seconds.reserve(samples_.size());
+    fit.ways.reserve(samples_.size());
+    fit.bends.reserve(samples_.size());
     double sum = 0.0;
-    for (std::size_t i = 0; i < samples_.size(); ++i) {
-        const SeenSample& sample = samples_[i];
-        const Row& row = fit.rows[i];
-        Vec3 position = Vec3::Zero();
-        Vec3 first = Vec3::Zero();
-        Vec3 second = Vec3::Zero();
-        for (int j = 0; j < space.basisCount(); ++j) {
-            const Vec3 control = fit.controls.row(space.control(row.span, j)).transpose();
-            position += row.basis[j] * control;
-            first += row.first[j] * control;
-            second += row.second[j] * control;
+    for (int span = 0; span < space.spanCount(); ++span) {
+        std::array<Vec3, kBasis> controls;
+        for (int j = 0; j < kBasis; ++j) {
+            controls[j] = fit.controls.row(space.control(span, j)).transpose();
         }
-        const double squaredSpeed = first.squaredNorm();
-        fit.firsts.push_back(first);
-        fit.seconds.push_back(second);
-        fit.ways.emplace_back(position - sample.position);
-        fit.bends.push_back(bendOf(sample.normal.dot(first.cross(second)), squaredSpeed));
-        fit.length += sample.weight * std::sqrt(squaredSpeed);
-        sum += sample.weight * fit.bends.back();
+        const auto [begin, end] = samplesOf(fit, span);
+        for (int i = begin; i < end; ++i) {
+            const SeenSample& sample = samples_[i];
+            const Row& row = fit.rows[i];
+            Vec3 position = Vec3::Zero();
+            Vec3 first = Vec3::Zero();
+            Vec3 second = Vec3::Zero();
+            for (int j = 0; j < kBasis; ++j) {
+                position += row.basis[j] * controls[j];
+                first += row.first[j] * controls[j];
+                second += row.second[j] * controls[j];
+            }
+            const double squaredSpeed = first.squaredNorm();
+            fit.firsts.push_back(first);
+            fit.seconds.push_back(second);
+            fit.ways.emplace_back(position - sample.position);
+            fit.bends.push_back(bendOf(sample.normal.dot(first.cross(second)), squaredSpeed));
+            fit.length += sample.weight * std::sqrt(squaredSpeed);
+            sum += sample.weight * fit.bends.back();
+        }
     }
     fit.bending = fit.length * sum;
 }
@@ -365,7 +390,9 @@ KnotRemoval::Cost KnotRemoval::costOf(const Fit& fit, int index) {
     for (int k = 0; k < kRemoval.reach && cost.farthest < 1.0; ++k) {
         for (const int at : {index - 1 - k, index + k}) {
             if (isRound || (at >= 0 && at < spans)) {
-                addCost(fit, (at + spans) % spans, step, cost);
+                withBasisCount(fit.space, [&](auto count) {
+                    addCost<count()>(fit, (at + spans) % spans, step, cost);
+                });
             }
         }
     }
@@ -374,10 +401,11 @@ KnotRemoval::Cost KnotRemoval::costOf(const Fit& fit, int index) {
 }
 
 // What samples of a span add to the cost of a knot, whose answer_ moves them by `step`.
+template <int kBasis>
 void KnotRemoval::addCost(const Fit& fit, int span, const Vec3& step, Cost& cost) const {
     const SplineSpace& space = fit.space;
-    std::array<double, kMaxBasis> shares;
-    for (int j = 0; j < space.basisCount(); ++j) {
+    std::array<double, kBasis> shares;
+    for (int j = 0; j < kBasis; ++j) {
         shares[j] = answer_[space.control(span, j)];
     }
     const auto [first, last] = samplesOf(fit, span);
@@ -387,12 +415,15 @@ void KnotRemoval::addCost(const Fit& fit, int span, const Vec3& step, Cost& cost
         double moved = 0.0;
         double faster = 0.0;
         double bent = 0.0;
-        for (int j = 0; j < space.basisCount(); ++j) {
+        for (int j = 0; j < kBasis; ++j) {
             moved += row.basis[j] * shares[j];
             faster += row.first[j] * shares[j];
             bent += row.second[j] * shares[j];
         }
         cost.farthest = std::max(cost.farthest, farness(sample, fit.ways[i] + moved * step));
+        if (cost.farthest >= 1.0) {
+            return;  // it is needed
+        }
         const Vec3 velocity = fit.firsts[i] + faster * step;
         const Vec3 second = fit.seconds[i] + bent * step;
         const double turn = sample.normal.dot(velocity.cross(second));

@@ -60,7 +60,6 @@ public:
 private:
     // A sample's basis functions and their derivatives by t.
     struct Row {
-        int span;
         SplineSpace::BasisValues basis, first, second;
     };
 
@@ -103,12 +102,15 @@ private:
     [[nodiscard]] bool isWithin(const Fit& fit) const;
     [[nodiscard]] std::pair<int, int> samplesOf(const Fit& fit, int span) const;
     void sumSamples(Fit& fit, const Fit* like) const;
+    template <int kBasis>
     void sumSpan(Fit& fit, int span) const;
     void addSums(Fit& fit, ControlPoints& right) const;
+    template <int kBasis>
     void measure(Fit& fit) const;
     [[nodiscard]] std::vector<Candidate> nextBatch(const Fit& fit);
     [[nodiscard]] Vec3 moveWithout(const Fit& fit, int index);
     [[nodiscard]] Cost costOf(const Fit& fit, int index);
+    template <int kBasis>
     void addCost(const Fit& fit, int span, const Vec3& step, Cost& cost) const;
     void shorten(const Fit* trial, std::vector<Candidate>& batch);
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 namespace bspline_curve {
@@ -50,8 +51,14 @@ BasisMatrix fitProducts(const SplineSpace& space, int span) {
 
 SpanTarget::SpanTarget(const InitialPath& initialPath, double begin, double end) {
     moments.fill(Vec3::Zero());
+    const std::vector<InitialPath::Point>& points = initialPath.points;
+    std::size_t last = initialPath.indexAt(begin);
     for (int i = 0; i < kSamples; ++i) {
-        const Vec3 position = initialPath.positionAt(begin + tau(i) * (end - begin));
+        const double t = begin + tau(i) * (end - begin);
+        while (last + 2 < points.size() && points[last + 1].parameter <= t) {
+            ++last;
+        }
+        const Vec3 position = initialPath.positionAfter(last, t);
         positions[i] = position;
         double power = 1.0 / kSamples;
         for (Vec3& moment : moments) {

@@ -2,6 +2,7 @@
 #include "spline/spline_space.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -15,13 +16,18 @@ SplineSpace::SplineSpace(int degree, bool closed, std::vector<double> breaks)
         table(0, 0) = 1.0;
         const double start = breaks_[span];
         const double length = spanLength(span);
+        std::array<double, 2 * kMaxPolynomialDegree> knots;  // from first on
+        const int first = span + 1 - degree_;
+        for (int i = 0; i < 2 * degree_; ++i) {
+            knots[i] = knot(first + i);
+        }
         for (int k = 1; k <= degree_; ++k) {
             BasisMatrix next = BasisMatrix::Zero();
             for (int j = 0; j < k; ++j) {
                 // Function j of degree k - 1 on this span is supported on knots [i, i + k].
                 const int i = span - (k - 1) + j;
-                const double left = knot(i);
-                const double right = knot(i + k);
+                const double left = knots[i - first];
+                const double right = knots[i + k - first];
                 const double scale = 1.0 / (right - left);
                 // (t - left) / (right - left) and (right - t) / (right - left), t = start + length
                 // * tau
