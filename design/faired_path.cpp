@@ -26,14 +26,14 @@ struct FairingLevel {
     int segments;    // of the whole polyline, about
     int leastOfLeg;  // between two picks
     int mostSteps;
-    double restShare;  // of the energy: a step that gains less is the last one
+    double restShare;  // of the energy: no step is made that would gain less, by the last two
 };
 
 struct FairingConstants {
     /// Points are spread evenly anew once steps are short. With 45 at first the path leaves the
     /// surface at thin limbs. With 128 at last curves bend by 0.7 % less, and a pick that moves by
     /// little makes them jump more often.
-    std::array<FairingLevel, 2> levels = {{{64, 3, 20, 3e-2}, {80, 6, 12, 1e-4}}};
+    std::array<FairingLevel, 2> levels = {{{64, 3, 20, 3e-2}, {80, 6, 12, 1e-5}}};
     /// Of the Hessian's diagonal: the first and least, which hardly shortens a step, and the factor
     /// by which it grows where a step fails, and falls after one.
     double leastDamping = 1e-5, dampingFactor = 30.0;
@@ -398,8 +398,8 @@ private:
         for (int step = 0; step < level.mostSteps ||
                            (gain > kFairing.unfoldingShare && step < kFairing.mostUnfoldingSteps);
              ++step) {
-            gain = descend(damping);
-            if (gain <= level.restShare) {
+            const double before = std::exchange(gain, descend(damping));
+            if (gain * std::min(1.0, gain / before) <= level.restShare) {
                 break;
             }
         }
