@@ -136,6 +136,14 @@ std::size_t InitialPath::indexAt(double t) const {
     return std::min(index, points.size() - 2);
 }
 
+std::size_t InitialPath::indexFrom(std::size_t earlier, double t) const {
+    std::size_t index = earlier;
+    while (index + 2 < points.size() && points[index + 1].parameter <= t) {
+        ++index;
+    }
+    return index;
+}
+
 double InitialPath::length() const {
     double length = 0.0;
     for (std::size_t i = 1; i < points.size(); ++i) {

@@ -22,6 +22,9 @@ struct InitialPath {
     /// The last point at or before t that has one after it.
     [[nodiscard]] std::size_t indexAt(double t) const;
 
+    /// The same, from that of an earlier t on. O(n) for n points between.
+    [[nodiscard]] std::size_t indexFrom(std::size_t earlier, double t) const;
+
     /// On the straight line between two points.
     [[nodiscard]] Vec3 positionAt(double t) const { return positionAfter(indexAt(t), t); }
 

@@ -51,13 +51,10 @@ BasisMatrix fitProducts(const SplineSpace& space, int span) {
 
 SpanTarget::SpanTarget(const InitialPath& initialPath, double begin, double end) {
     moments.fill(Vec3::Zero());
-    const std::vector<InitialPath::Point>& points = initialPath.points;
     std::size_t last = initialPath.indexAt(begin);
     for (int i = 0; i < kSamples; ++i) {
         const double t = begin + tau(i) * (end - begin);
-        while (last + 2 < points.size() && points[last + 1].parameter <= t) {
-            ++last;
-        }
+        last = initialPath.indexFrom(last, t);
         const Vec3 position = initialPath.positionAfter(last, t);
         positions[i] = position;
         double power = 1.0 / kSamples;
